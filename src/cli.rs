@@ -1,0 +1,276 @@
+//! The command line: clap types and the reading of their values, nothing else.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Run ShaderToy GLSL: unchanged, live and frame by frame.
+#[derive(Debug, Parser)]
+#[command(version, about, max_term_width = 100, arg_required_else_help = true)]
+pub struct Cli {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Play a scene in a window; save the file and the picture follows
+    #[cfg(feature = "window")]
+    Run(RunArgs),
+    /// Write frames as PNG files
+    #[cfg(feature = "gpu")]
+    Export(ExportArgs),
+    /// Say what is wrong with scenes, without a GPU
+    Check(CheckArgs),
+    /// Write a scene's shader in another language
+    Translate(TranslateArgs),
+    /// Say what a scene uses, and what was therefore left out
+    Inspect(InspectArgs),
+    /// List the graphics adapters, and what to install when there is none
+    #[cfg(feature = "gpu")]
+    Doctor,
+}
+
+const SCENE_HELP: &str = "A file of ShaderToy GLSL, a scene folder, or `-` for standard input";
+
+#[cfg(feature = "window")]
+#[derive(Debug, Args)]
+pub struct RunArgs {
+    #[arg(help = format!("{SCENE_HELP} [default: a scene that comes with the program]"))]
+    pub scene: Option<PathBuf>,
+    /// Size of the window's picture in pixels
+    #[arg(long, value_name = "WxH", default_value = "960x540")]
+    pub size: Size,
+    /// Pixels drawn for each pixel of the window's width and height, from 0.05 to 4
+    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = scale)]
+    pub scale: f64,
+    /// Draw at most this many frames per second [default: the display's rate]
+    #[arg(long, value_name = "N", value_parser = positive)]
+    pub fps_limit: Option<f64>,
+    /// Do not watch the files for changes
+    #[arg(long)]
+    pub no_watch: bool,
+    #[command(flatten)]
+    pub gpu: GpuArgs,
+}
+
+#[cfg(feature = "gpu")]
+#[derive(Debug, Args)]
+pub struct ExportArgs {
+    #[arg(help = SCENE_HELP)]
+    pub scene: PathBuf,
+    /// Where to write: `%d` or `%05d` stands for the frame number, `%%` for a percent sign
+    #[arg(long, short, value_name = "PATTERN")]
+    pub out: String,
+    /// The frames, by number: from A up to, not including, B [default: frame 0 alone]
+    #[arg(long, value_name = "A..B", conflicts_with = "time")]
+    pub frames: Option<FrameRange>,
+    /// The one frame at this time in seconds
+    #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
+    pub time: Option<f64>,
+    /// Frames per second: frame n is drawn with iTime = n/N
+    #[arg(long, value_name = "N", default_value = "60", value_parser = positive)]
+    pub fps: f64,
+    /// Size of the pictures in pixels
+    #[arg(long, value_name = "WxH", default_value = "1280x720")]
+    pub size: Size,
+    /// Replace files that exist already
+    #[arg(long)]
+    pub overwrite: bool,
+    /// Write where the time went, as JSON
+    #[arg(long, value_name = "FILE.json")]
+    pub stats: Option<PathBuf>,
+    #[command(flatten)]
+    pub gpu: GpuArgs,
+}
+
+#[cfg(feature = "gpu")]
+#[derive(Debug, Args)]
+pub struct GpuArgs {
+    /// The graphics adapter: part of its name, `cpu` or `gpu`
+    #[arg(long, value_name = "NAME|cpu|gpu")]
+    pub adapter: Option<String>,
+    /// Give up when one frame takes longer than this many seconds; 0 waits for ever
+    #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = not_negative)]
+    pub frame_timeout: f64,
+}
+
+#[derive(Debug, Args)]
+pub struct CheckArgs {
+    #[arg(help = SCENE_HELP, required = true)]
+    pub scenes: Vec<PathBuf>,
+    /// How to write what was found
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub struct TranslateArgs {
+    #[arg(help = SCENE_HELP)]
+    pub scene: PathBuf,
+    /// The language to write
+    #[arg(long, value_enum, value_name = "LANGUAGE")]
+    pub to: Language,
+    /// The pass to write, by its name on the site
+    #[arg(long, value_name = "NAME", default_value = "Image")]
+    pub pass: String,
+    /// Write to a file instead of standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct InspectArgs {
+    #[arg(help = SCENE_HELP)]
+    pub scene: PathBuf,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    pub format: Format,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For people
+    Human,
+    /// For tools: one JSON object a line
+    Json,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Language {
+    Wgsl,
+    Spirv,
+    Glsl,
+    Hlsl,
+    Msl,
+}
+
+/// Width and height in pixels, neither of them 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    pub width: u32,
+    pub height: u32,
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (width, height) = text
+            .split_once(['x', 'X', '×'])
+            .ok_or("write it as WxH, as in 640x360")?;
+        let side = |digits: &str| match digits.parse() {
+            Ok(0) => Err("a picture has at least one pixel each way".to_owned()),
+            Ok(side) => Ok(side),
+            Err(_) => Err(format!("`{digits}` is not a number of pixels")),
+        };
+        Ok(Size {
+            width: side(width)?,
+            height: side(height)?,
+        })
+    }
+}
+
+/// Frame numbers from `start` up to, not including, `end`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FrameRange {
+    pub start: u32,
+    pub end: u32,
+}
+
+/// `iFrame` is an int.
+const MAX_FRAME: u32 = i32::MAX as u32;
+
+impl FromStr for FrameRange {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |digits: &str| match digits.parse::<u32>() {
+            Ok(frame) if frame <= MAX_FRAME => Ok(frame),
+            Ok(_) => Err(format!("frame numbers end at {MAX_FRAME}")),
+            Err(_) => Err(format!("`{digits}` is not a frame number")),
+        };
+        let (start, end) = match text.split_once("..") {
+            Some((start, end)) => (number(start)?, number(end)?),
+            None => return Err("write it as A..B, as in 0..60 for the first sixty".to_owned()),
+        };
+        match start.cmp(&end) {
+            std::cmp::Ordering::Less => Ok(FrameRange { start, end }),
+            std::cmp::Ordering::Equal => Err(format!(
+                "{start}..{end} holds no frame: B is not included; did you mean {start}..{}?",
+                end.saturating_add(1)
+            )),
+            std::cmp::Ordering::Greater => Err(format!(
+                "the range ends before it begins; did you mean {end}..{start}?"
+            )),
+        }
+    }
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        _ => Err(format!("`{text}` is not a number")),
+    }
+}
+
+#[cfg(feature = "gpu")]
+fn positive(text: &str) -> Result<f64, String> {
+    match number(text)? {
+        number if (1e-6..=1e6).contains(&number) => Ok(number),
+        _ => Err("it must lie between 0.000001 and 1000000".to_owned()),
+    }
+}
+
+#[cfg(feature = "gpu")]
+fn not_negative(text: &str) -> Result<f64, String> {
+    match number(text)? {
+        number if (0.0..=1e9).contains(&number) => Ok(number),
+        _ => Err("it must lie between 0 and 1000000000".to_owned()),
+    }
+}
+
+#[cfg(feature = "gpu")]
+fn time(text: &str) -> Result<f64, String> {
+    number(text)
+}
+
+#[cfg(feature = "window")]
+fn scale(text: &str) -> Result<f64, String> {
+    match number(text)? {
+        number if (0.05..=4.0).contains(&number) => Ok(number),
+        _ => Err("it must lie between 0.05 and 4".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_definitions_are_consistent() {
+        <Cli as clap::CommandFactory>::command().debug_assert();
+    }
+
+    #[test]
+    fn sizes() {
+        let size = |text: &str| text.parse::<Size>().map(|size| (size.width, size.height));
+        assert_eq!(size("640x360"), Ok((640, 360)));
+        assert!(size("0x5").unwrap_err().contains("at least one pixel"));
+        for bad in ["640", "x", "640x", "-1x5", "1x2x3", "99999999999x1", "1.5x2"] {
+            assert!(size(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn frame_ranges() {
+        let range = |text: &str| text.parse::<FrameRange>().map(|range| (range.start, range.end));
+        assert_eq!(range("0..60"), Ok((0, 60)));
+        assert!(range("9..3").unwrap_err().contains("did you mean 3..9"));
+        assert!(range("3..3").unwrap_err().contains("did you mean 3..4"));
+        for bad in ["5", "..", "a..b", "0..99999999999", "0..3000000000", "-1..4"] {
+            assert!(range(bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,237 @@
+use std::io::IsTerminal as _;
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use anyhow::Context as _;
+use glam::UVec2;
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
+use vitrine::export::{self, ExportError, Frames, Job, OutPattern, Summary};
+use vitrine::render::Gpu;
+use vitrine::session::Session;
+
+use super::opening::{adapter_choice, explain, gpu_failure, watchdog};
+use super::{INTERRUPTED, failure, source};
+use crate::cli::ExportArgs;
+
+/// How often progress is told where there is no terminal.
+const PLAIN_LINE_EVERY: Duration = Duration::from_secs(5);
+
+pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
+    let job = job(&args)?;
+    // What cannot be written is refused before anything is started.
+    job.check_output().map_err(explain_export)?;
+    let source = source(&args.scene)?;
+    let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;
+    let driver = started.elapsed();
+    let session = match Session::open(&gpu, &source) {
+        Ok(session) => session,
+        Err(error) => return explain(error).map(Into::into),
+    };
+    super::show(&session.warnings);
+    let opened = started.elapsed();
+
+    let watchdog = watchdog(&args.gpu);
+    let interrupted = interruption()?;
+    let mut progress = Progress::new(job.frames.count());
+    let result = export::export(&gpu, &session.renderer, &job, &watchdog, &mut |written| {
+        progress.at(written);
+        !interrupted.load(Ordering::Relaxed)
+    });
+    progress.end();
+    let summary = result.map_err(explain_export)?;
+    let wall = started.elapsed();
+
+    report_end(&job, &summary, wall);
+    if let Some(path) = &args.stats {
+        let stats = Stats::new(&gpu, &session, &job, &summary, driver, opened, wall);
+        let text = serde_json::to_string_pretty(&stats)? + "\n";
+        export::place(path, text.as_bytes(), true)
+            .with_context(|| format!("cannot write `{}`", path.display()))?;
+    }
+    Ok(match summary.interrupted {
+        true => INTERRUPTED.into(),
+        false => ExitCode::SUCCESS,
+    })
+}
+
+fn job(args: &ExportArgs) -> anyhow::Result<Job> {
+    let out = OutPattern::parse(&args.out).map_err(|error| {
+        failure(
+            format!("`--out {}`: {error}", args.out),
+            "a pattern like frames/%05d.png gives every frame a file",
+        )
+    })?;
+    let frames = match (args.frames, args.time) {
+        (Some(range), _) => Frames::Range(range.start..range.end),
+        (None, Some(time)) => Frames::At(time),
+        (None, None) => Frames::Range(0..1),
+    };
+    Ok(Job {
+        frames,
+        fps: args.fps,
+        size: UVec2::new(args.size.width, args.size.height),
+        out,
+        overwrite: args.overwrite,
+        timed: args.stats.is_some(),
+    })
+}
+
+fn explain_export(error: ExportError) -> anyhow::Error {
+    match &error {
+        ExportError::Gpu(gpu) => gpu_failure(gpu),
+        ExportError::OneFile { .. } => failure(
+            &error,
+            "put `%d` or `%05d` into `--out` where the frame number goes",
+        ),
+        ExportError::Exists { .. } => failure(
+            &error,
+            "add `--overwrite` to replace what is there, or choose another `--out`",
+        ),
+        ExportError::Write(_) => failure(
+            &error,
+            "is there room on the disk, and may you write there? Frames written before this one \
+             are whole",
+        ),
+    }
+}
+
+/// Becomes true on the first Ctrl+C; a second one ends the process at once.
+fn interruption() -> anyhow::Result<Arc<AtomicBool>> {
+    let flag = Arc::new(AtomicBool::new(false));
+    let raised = Arc::clone(&flag);
+    ctrlc::set_handler(move || {
+        if raised.swap(true, Ordering::Relaxed) {
+            std::process::exit(INTERRUPTED.into());
+        }
+        anstream::eprintln!("finishing the frames under way; press Ctrl+C again to stop at once");
+    })
+    .context("cannot listen for Ctrl+C")?;
+    Ok(flag)
+}
+
+/// A bar on a terminal, a line now and then elsewhere.
+enum Progress {
+    Bar(ProgressBar),
+    Lines {
+        total: u32,
+        started: Instant,
+        last: Instant,
+    },
+}
+
+impl Progress {
+    fn new(total: u32) -> Self {
+        if std::io::stderr().is_terminal() {
+            let bar = ProgressBar::new(u64::from(total));
+            let template = "{wide_bar} {pos}/{len} frames, {per_sec}, {eta} left";
+            bar.set_style(ProgressStyle::with_template(template).expect("a valid template"));
+            return Progress::Bar(bar);
+        }
+        Progress::Lines {
+            total,
+            started: Instant::now(),
+            last: Instant::now(),
+        }
+    }
+
+    fn at(&mut self, written: u32) {
+        match self {
+            Progress::Bar(bar) => bar.set_position(u64::from(written)),
+            Progress::Lines {
+                total,
+                started,
+                last,
+            } => {
+                if last.elapsed() >= PLAIN_LINE_EVERY {
+                    *last = Instant::now();
+                    let seconds = started.elapsed().as_secs();
+                    eprintln!("{written} of {total} frames after {seconds} s");
+                }
+            }
+        }
+    }
+
+    fn end(&self) {
+        if let Progress::Bar(bar) = self {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+fn report_end(job: &Job, summary: &Summary, wall: Duration) {
+    let count = job.frames.count();
+    let (first, done) = match &job.frames {
+        Frames::Range(range) => (range.start, summary.frames),
+        Frames::At(_) => (0, summary.frames),
+    };
+    let seconds = wall.as_secs_f64();
+    if summary.interrupted {
+        eprintln!("interrupted after {done} of {count} frames");
+        if let Frames::Range(range) = &job.frames {
+            eprintln!("the rest: --frames {}..{}", first + done, range.end);
+        }
+    } else {
+        let noun = if done == 1 { "frame" } else { "frames" };
+        eprintln!("{done} {noun} in {seconds:.2} s");
+    }
+}
+
+/// Where the time of an export went. All times are in seconds.
+#[derive(Serialize)]
+struct Stats<'a> {
+    scene: &'a str,
+    adapter: String,
+    width: u32,
+    height: u32,
+    frames: u32,
+    /// From the start of the program to the last file.
+    wall_seconds: f64,
+    /// From the start of the program to the first submission; `driver`, `load`, `translate` and
+    /// `pipeline` are parts of it.
+    startup_seconds: f64,
+    driver_seconds: f64,
+    load_seconds: f64,
+    translate_seconds: f64,
+    pipeline_seconds: f64,
+    /// From the first submission to the first picture back, late compilation by the driver included.
+    first_frame_seconds: f64,
+    /// Drawing, as the GPU's own clock has it; null where it has none.
+    gpu_seconds: Option<f64>,
+    /// Copying pictures out of the GPU's memory.
+    read_back_seconds: f64,
+    /// Encoding and writing, the sum over all threads.
+    encode_seconds: f64,
+}
+
+impl<'a> Stats<'a> {
+    fn new(
+        gpu: &Gpu,
+        session: &'a Session,
+        job: &Job,
+        summary: &Summary,
+        driver: Duration,
+        opened: Duration,
+        wall: Duration,
+    ) -> Self {
+        Stats {
+            scene: &session.scene.name,
+            adapter: gpu.describe(),
+            width: job.size.x,
+            height: job.size.y,
+            frames: summary.frames,
+            wall_seconds: wall.as_secs_f64(),
+            startup_seconds: opened.as_secs_f64(),
+            driver_seconds: driver.as_secs_f64(),
+            load_seconds: session.timing.load.as_secs_f64(),
+            translate_seconds: session.timing.translate.as_secs_f64(),
+            pipeline_seconds: session.timing.build.as_secs_f64(),
+            first_frame_seconds: summary.first_frame.as_secs_f64(),
+            gpu_seconds: summary.gpu_seconds,
+            read_back_seconds: summary.read_back.as_secs_f64(),
+            encode_seconds: summary.encode.as_secs_f64(),
+        }
+    }
+}

@@ -1,0 +1,144 @@
+use std::process::ExitCode;
+
+use serde::Serialize;
+use vitrine::scene::{Channel, Pass, Scene};
+use vitrine::translate::bindings::{self, Uniform};
+use vitrine::translate::{ChannelUse, Program};
+
+use super::{SCENE_HAS_PROBLEMS, Translation, show, source, translated};
+use crate::cli::{Format, InspectArgs};
+
+/// What one pass uses, and what was left out of it.
+#[derive(Serialize)]
+struct Findings<'a> {
+    scene: &'a str,
+    pass: &'static str,
+    uniforms: Vec<&'static str>,
+    /// Bytes of the uniform block; absent without one.
+    uniform_block: Option<u32>,
+    channels: Vec<ChannelFindings>,
+    functions: &'a [String],
+    left_out: LeftOut<'a>,
+}
+
+#[derive(Serialize)]
+struct ChannelFindings {
+    name: &'static str,
+    /// `noise`, or `unbound`.
+    input: &'static str,
+    filter: Option<&'static str>,
+    wrap: Option<&'static str>,
+    texture: bool,
+    sampler: bool,
+}
+
+#[derive(Serialize)]
+struct LeftOut<'a> {
+    uniforms: Vec<&'static str>,
+    channels: Vec<&'static str>,
+    functions: &'a [String],
+    /// GPU objects that other scenes need and this pass does not.
+    objects: Vec<&'static str>,
+}
+
+pub fn inspect(args: InspectArgs) -> anyhow::Result<ExitCode> {
+    let (scene, programs) = match translated(&source(&args.scene)?)? {
+        Translation::Done(scene, programs) => (scene, programs),
+        Translation::Problems(report) => {
+            show(&report);
+            return Ok(SCENE_HAS_PROBLEMS.into());
+        }
+    };
+    for (pass, program) in scene.passes.iter().zip(&programs) {
+        let findings = findings(&scene, pass, program);
+        match args.format {
+            Format::Json => anstream::println!("{}", serde_json::to_string(&findings)?),
+            Format::Human => anstream::print!("{}", human(&findings)),
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn findings<'a>(scene: &'a Scene, pass: &Pass, program: &'a Program) -> Findings<'a> {
+    let (used, unused): (Vec<_>, Vec<_>) = Uniform::ALL
+        .into_iter()
+        .partition(|&uniform| program.reads(uniform));
+    let channels = || program.channels.iter().zip(pass.channels).enumerate();
+    let is_used = |usage: &ChannelUse| usage.texture || usage.sampler;
+    let mut objects = Vec::new();
+    if program.uniforms.is_none() {
+        objects.push("uniform block");
+    }
+    if !program.channels.iter().any(|usage| usage.texture) {
+        objects.push("textures");
+    }
+    if !program.channels.iter().any(|usage| usage.sampler) {
+        objects.push("samplers");
+    }
+    if program.uniforms.is_none() && !program.channels.iter().any(is_used) {
+        objects.push("bind group");
+    }
+    Findings {
+        scene: &scene.name,
+        pass: pass.kind.name(),
+        uniforms: used.into_iter().map(Uniform::name).collect(),
+        uniform_block: program.uniforms.as_ref().map(|block| block.size),
+        channels: channels()
+            .filter(|(_, (usage, _))| is_used(usage))
+            .map(|(index, (usage, bound))| channel(index, *usage, bound))
+            .collect(),
+        functions: &program.functions.used,
+        left_out: LeftOut {
+            uniforms: unused.into_iter().map(Uniform::name).collect(),
+            channels: channels()
+                .filter(|(_, (usage, _))| !is_used(usage))
+                .map(|(index, _)| bindings::channel_name(index))
+                .collect(),
+            functions: &program.functions.unused,
+            objects,
+        },
+    }
+}
+
+fn channel(index: usize, usage: ChannelUse, bound: Option<Channel>) -> ChannelFindings {
+    ChannelFindings {
+        name: bindings::channel_name(index),
+        input: bound.map_or("unbound", |channel| channel.input.name()),
+        filter: bound.map(|channel| channel.sampling.filter.name()),
+        wrap: bound.map(|channel| channel.sampling.wrap.name()),
+        texture: usage.texture,
+        sampler: usage.sampler,
+    }
+}
+
+fn human(findings: &Findings<'_>) -> String {
+    let owned = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
+    let left_out = &findings.left_out;
+    let channels: Vec<_> = findings.channels.iter().map(channel_line).collect();
+    let mut text = format!("{}, pass {}\n", findings.scene, findings.pass);
+    text += &line("uniforms", &owned(&findings.uniforms));
+    text += &line("channels", &channels);
+    text += &line("functions", findings.functions);
+    text += "left out\n";
+    text += &line("uniforms", &owned(&left_out.uniforms));
+    text += &line("channels", &owned(&left_out.channels));
+    text += &line("functions", left_out.functions);
+    text += &line("objects", &owned(&left_out.objects));
+    text
+}
+
+fn line(title: &str, items: &[String]) -> String {
+    match items {
+        [] => format!("  {title:<10} none\n"),
+        items => format!("  {title:<10} {}\n", items.join(", ")),
+    }
+}
+
+fn channel_line(channel: &ChannelFindings) -> String {
+    let how = match (channel.filter, channel.wrap) {
+        (Some(filter), Some(wrap)) => format!(", {filter}, {wrap}"),
+        _ => String::new(),
+    };
+    let only = if channel.sampler { "" } else { ", not sampled" };
+    format!("{} ({}{how}{only})", channel.name, channel.input)
+}

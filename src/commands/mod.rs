@@ -1,0 +1,125 @@
+//! One file a command: they call the library and talk to the person at the terminal.
+
+mod check;
+#[cfg(feature = "gpu")]
+mod doctor;
+#[cfg(feature = "gpu")]
+mod export;
+mod inspect;
+#[cfg(feature = "gpu")]
+mod opening;
+mod translate;
+
+use std::io::Read as _;
+use std::path::Path;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use anyhow::Context as _;
+use vitrine::report;
+use vitrine::scene::{self, LoadError, LoadErrorKind, Scene, Source};
+use vitrine::source::Report;
+use vitrine::translate::Program;
+
+use crate::cli::Command;
+
+/// Something is wrong with the scene.
+pub const SCENE_HAS_PROBLEMS: u8 = 1;
+
+/// Something is wrong around the scene: files, driver, window, command line.
+pub const HOST_FAILED: u8 = 2;
+
+/// The user ended it with Ctrl+C, as a shell reports that.
+#[cfg(feature = "gpu")]
+const INTERRUPTED: u8 = 130;
+
+/// Runs a command. An error is the host's; a scene's problems have been printed already.
+pub fn run(command: Command, started: Instant) -> anyhow::Result<ExitCode> {
+    // Only an export says how long the whole program ran.
+    let _ = started;
+    match command {
+        #[cfg(feature = "window")]
+        Command::Run(_) => todo!(),
+        #[cfg(feature = "gpu")]
+        Command::Export(args) => export::export(args, started),
+        Command::Check(args) => check::check(args),
+        Command::Translate(args) => translate::translate(args),
+        Command::Inspect(args) => inspect::inspect(args),
+        #[cfg(feature = "gpu")]
+        Command::Doctor => doctor::doctor(),
+    }
+}
+
+/// Prints a failure of the host.
+pub fn complain(error: &anyhow::Error) {
+    anstream::eprintln!("{error:#}");
+}
+
+/// An error whose message ends with the way out, in the form of the scenes' diagnostics.
+fn failure(message: impl std::fmt::Display, hint: &str) -> anyhow::Error {
+    let bold = "\u{1b}[1m";
+    let (red, reset) = ("\u{1b}[1;91m", "\u{1b}[0m");
+    match hint {
+        "" => anyhow::anyhow!("{red}error{reset}{bold}: {message}{reset}"),
+        hint => anyhow::anyhow!(
+            "{red}error{reset}{bold}: {message}{reset}\n  |\n  = {bold}help{reset}: {hint}"
+        ),
+    }
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> anyhow::Error {
+    let hint = match error.kind() {
+        std::io::ErrorKind::NotFound => {
+            "a scene is a file of ShaderToy GLSL, a scene folder, or `-` for standard input"
+        }
+        std::io::ErrorKind::PermissionDenied => "its permissions do not let you read it",
+        _ => "",
+    };
+    failure(format!("cannot read `{}`: {error}", path.display()), hint)
+}
+
+/// Where a scene named on the command line comes from; `-` is read here.
+fn source(path: &Path) -> anyhow::Result<Source> {
+    if path != Path::new("-") {
+        return Ok(Source::Path(path.to_owned()));
+    }
+    let mut bytes = Vec::new();
+    std::io::stdin()
+        .take(scene::MAX_FILE_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .context("cannot read standard input")?;
+    Ok(Source::Text {
+        name: "<stdin>".to_owned(),
+        bytes,
+    })
+}
+
+/// Draws a report on standard error.
+fn show(report: &Report) {
+    anstream::eprint!("{}", report::human(report));
+}
+
+/// What became of a scene without a GPU.
+enum Translation {
+    Done(Scene, Vec<Program>),
+    Problems(Report),
+}
+
+/// Loads and translates a scene.
+fn translated(source: &Source) -> anyhow::Result<Translation> {
+    let scene = match scene::load(source) {
+        Ok(scene) => scene,
+        Err(LoadError {
+            kind: LoadErrorKind::Scene(report),
+            ..
+        }) => return Ok(Translation::Problems(report)),
+        Err(LoadError {
+            kind: LoadErrorKind::Io { path, error },
+            ..
+        }) => return Err(unreadable(&path, &error)),
+    };
+    Ok(match vitrine::translate::translate(&scene) {
+        Ok(programs) => Translation::Done(scene, programs),
+        Err(report) => Translation::Problems(report),
+    })
+}

@@ -1,0 +1,57 @@
+//! What every command that draws does first, and how it gives up.
+
+use std::time::Duration;
+
+use vitrine::render::{AdapterChoice, GpuError, Watchdog};
+use vitrine::session::OpenError;
+
+use super::{HOST_FAILED, SCENE_HAS_PROBLEMS, failure, show, unreadable};
+use crate::cli::GpuArgs;
+
+pub fn adapter_choice(args: &GpuArgs) -> AdapterChoice {
+    match &args.adapter {
+        Some(name) => AdapterChoice::from_name(name),
+        None => AdapterChoice::Auto,
+    }
+}
+
+pub fn gpu_failure(error: &GpuError) -> anyhow::Error {
+    failure(error, error.hint())
+}
+
+/// Says why a scene did not open: prints the scene's problems, or returns the host's failure.
+pub fn explain(error: OpenError) -> anyhow::Result<u8> {
+    match error {
+        OpenError::Scene { report, .. } => {
+            show(&report);
+            Ok(SCENE_HAS_PROBLEMS)
+        }
+        OpenError::Io { path, error } => Err(unreadable(&path, &error)),
+        OpenError::Gpu(error) => Err(gpu_failure(&error)),
+    }
+}
+
+/// A watchdog that tells of slow frames, and ends the process when a frame takes too long: a driver
+/// that is stuck in a shader cannot be stopped in any other way.
+pub fn watchdog(args: &GpuArgs) -> Watchdog {
+    let limit = (args.frame_timeout > 0.0).then(|| Duration::from_secs_f64(args.frame_timeout));
+    Watchdog::start(
+        limit,
+        |elapsed| {
+            anstream::eprintln!("a frame is taking longer than {} s …", elapsed.as_secs());
+        },
+        |elapsed| {
+            super::complain(&failure(
+                format!("a frame was not finished after {:.0} s", elapsed.as_secs_f64()),
+                "does a loop never end? Otherwise choose a smaller `--size`, or give it more time \
+                 with `--frame-timeout SECONDS`",
+            ));
+            end_at_once(HOST_FAILED);
+        },
+    )
+}
+
+/// Ends the process without the driver's cleaning up, which would wait for the stuck frame.
+fn end_at_once(code: u8) -> ! {
+    std::process::exit(code.into())
+}

@@ -1,0 +1,214 @@
+//! Frames to files: a pipeline in which one frame is drawn while the one before is read back and
+//! those before that are encoded and written on other threads.
+
+mod encoders;
+mod pattern;
+mod sink;
+
+pub use pattern::{OutPattern, PatternError};
+pub use sink::{PngSink, WriteError, place};
+
+use std::collections::VecDeque;
+use std::ops::Range;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use encoders::Encoders;
+use glam::UVec2;
+
+use crate::frame::{Clock, FrameInput};
+use crate::render::{Gpu, GpuError, ReadBack, Renderer, Target, Watchdog};
+
+/// Frames under way at once: one being drawn, one being read back, one waiting in between.
+const RING: usize = 3;
+
+/// What to export.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Job {
+    /// Which frames.
+    pub frames: Frames,
+    /// Frames per second of the fixed clock; positive and finite.
+    pub fps: f64,
+    /// Width and height of every picture in pixels.
+    pub size: UVec2,
+    /// Where the pictures go.
+    pub out: OutPattern,
+    /// Whether files that are already there are replaced.
+    pub overwrite: bool,
+    /// Whether to ask the GPU how long it draws.
+    pub timed: bool,
+}
+
+/// A selection of frames.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Frames {
+    /// Frames by number, the end not included.
+    Range(Range<u32>),
+    /// The one frame at this time in seconds.
+    At(f64),
+}
+
+impl Frames {
+    /// How many frames these are.
+    pub fn count(&self) -> u32 {
+        match self {
+            Frames::Range(range) => range.end.saturating_sub(range.start),
+            Frames::At(_) => 1,
+        }
+    }
+}
+
+/// Why an export stopped.
+#[derive(Debug, thiserror::Error)]
+pub enum ExportError {
+    /// The driver failed.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// A picture could not be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// Several frames would go to one file.
+    #[error("{count} frames cannot all be written to one file")]
+    OneFile {
+        /// How many.
+        count: u32,
+    },
+    /// Files are in the way.
+    #[error("`{}` exists already{}", first.display(), more(*.count))]
+    Exists {
+        /// The first of them.
+        first: PathBuf,
+        /// How many there are.
+        count: u32,
+    },
+}
+
+fn more(count: u32) -> String {
+    match count {
+        1 => String::new(),
+        count => format!(", and {} more", count - 1),
+    }
+}
+
+/// What an export did.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Summary {
+    /// Files written.
+    pub frames: u32,
+    /// Whether it was told to stop before the end.
+    pub interrupted: bool,
+    /// From the first frame's submission until its picture was back. Drivers that compile late do it
+    /// here.
+    pub first_frame: Duration,
+    /// Time that the GPU drew, all frames together, if it was asked and can tell.
+    pub gpu_seconds: Option<f64>,
+    /// Time spent copying pictures out of the GPU's memory.
+    pub read_back: Duration,
+    /// Time spent encoding and writing, all threads together.
+    pub encode: Duration,
+}
+
+impl Job {
+    /// Refuses what cannot be written, before anything is drawn.
+    pub fn check_output(&self) -> Result<(), ExportError> {
+        let count = self.frames.count();
+        if count > 1 && !self.out.is_numbered() {
+            return Err(ExportError::OneFile { count });
+        }
+        if self.overwrite {
+            return Ok(());
+        }
+        let mut taken = self
+            .inputs()
+            .map(|(number, _)| self.out.path(number))
+            .filter(|path| path.exists());
+        match taken.next() {
+            None => Ok(()),
+            Some(first) => Err(ExportError::Exists {
+                first,
+                count: 1 + taken.count() as u32,
+            }),
+        }
+    }
+
+    /// Every frame's number and input.
+    fn inputs(&self) -> impl Iterator<Item = (u32, FrameInput)> + '_ {
+        let clock = Clock::fixed(self.fps);
+        let (range, single) = match &self.frames {
+            Frames::Range(range) => (range.clone(), None),
+            Frames::At(time) => (0..0, Some(clock.at_time(*time, self.size))),
+        };
+        range
+            .map(move |number| (number, clock.at(number, self.size)))
+            .chain(single.map(|input| (input.frame as u32, input)))
+    }
+}
+
+/// Draws and writes all frames of a job.
+///
+/// `progress` is called with the number of files written so far, after each frame that has come
+/// back; returning `false` ends the export once the frames under way are written. The watchdog is
+/// told of every frame.
+pub fn export(
+    gpu: &Gpu,
+    renderer: &Renderer,
+    job: &Job,
+    watchdog: &Watchdog,
+    progress: &mut dyn FnMut(u32) -> bool,
+) -> Result<Summary, ExportError> {
+    job.check_output()?;
+    let target = Target::new(gpu, job.size)?;
+    let ring = ReadBack::new(gpu, job.size, RING, job.timed)?;
+    let mut free = ring.slots;
+    let mut under_way = VecDeque::with_capacity(RING);
+    let mut encoders = Encoders::start(job.overwrite);
+    let mut summary = Summary::default();
+    let mut inputs = job.inputs();
+    let start = Instant::now();
+    let mut came_back = 0;
+    watchdog.begin();
+    let drawn: Result<(), ExportError> = (|| {
+        loop {
+            // Keep the GPU supplied.
+            while !summary.interrupted
+                && let Some(mut slot) = free.pop()
+            {
+                let Some((number, input)) = inputs.next() else {
+                    free.push(slot);
+                    break;
+                };
+                renderer.render(gpu, &input, &target, Some(&mut slot));
+                under_way.push_back((number, slot));
+            }
+            // Take back the oldest frame.
+            let Some((number, mut slot)) = under_way.pop_front() else {
+                return Ok(());
+            };
+            while !slot.is_ready(gpu)? {
+                summary.interrupted |= !progress(encoders.written);
+            }
+            watchdog.begin();
+            let mut image = encoders.blank()?;
+            let copy = Instant::now();
+            let transferred = slot.take(gpu, &mut image)?;
+            summary.read_back += copy.elapsed();
+            if let Some(seconds) = transferred.gpu_seconds {
+                *summary.gpu_seconds.get_or_insert(0.0) += seconds;
+            }
+            if came_back == 0 {
+                summary.first_frame = start.elapsed();
+            }
+            came_back += 1;
+            encoders.write(job.out.path(number), image);
+            free.push(slot);
+            summary.interrupted |= !progress(encoders.written);
+        }
+    })();
+    watchdog.rest();
+    let written = encoders.finish();
+    drawn?;
+    (summary.frames, summary.encode) = written?;
+    summary.interrupted &= summary.frames < job.frames.count();
+    progress(summary.frames);
+    Ok(summary)
+}

@@ -1,0 +1,140 @@
+use std::path::PathBuf;
+
+/// Where frames are written: a path with a place for the frame number, as in `frames/%05d.png`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OutPattern {
+    before: String,
+    number: Option<usize>,
+    after: String,
+}
+
+/// Why a text is no pattern.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PatternError {
+    /// Nothing to write to.
+    #[error("the output path is empty")]
+    Empty,
+    /// A `%` that is neither `%d`, `%05d` nor `%%`.
+    #[error("`%` must be followed by `d`, as in `%d` or `%05d`; a plain percent sign is `%%`")]
+    Percent,
+    /// More than one place for the number.
+    #[error("the frame number can stand in one place only")]
+    TwoNumbers,
+    /// More digits than any number has.
+    #[error("frame numbers have at most 20 digits")]
+    Width,
+    /// Pictures are written as PNG.
+    #[error("the output path must end in `.png`")]
+    NotPng,
+}
+
+impl OutPattern {
+    /// Reads a pattern: `%d` or `%0Nd` stands for the frame number, `%%` for a percent sign.
+    pub fn parse(text: &str) -> Result<Self, PatternError> {
+        if text.is_empty() {
+            return Err(PatternError::Empty);
+        }
+        let mut pattern = OutPattern {
+            before: String::new(),
+            number: None,
+            after: String::new(),
+        };
+        let mut rest = text;
+        while let Some((plain, behind)) = rest.split_once('%') {
+            pattern.tail().push_str(plain);
+            if let Some(behind) = behind.strip_prefix('%') {
+                pattern.tail().push('%');
+                rest = behind;
+                continue;
+            }
+            let (digits, behind) = behind.split_once('d').ok_or(PatternError::Percent)?;
+            if !digits.bytes().all(|b| b.is_ascii_digit()) {
+                return Err(PatternError::Percent);
+            }
+            if pattern.number.is_some() {
+                return Err(PatternError::TwoNumbers);
+            }
+            let width = match digits {
+                "" => 0,
+                digits => digits.parse().map_err(|_| PatternError::Width)?,
+            };
+            if width > 20 {
+                return Err(PatternError::Width);
+            }
+            pattern.number = Some(width);
+            rest = behind;
+        }
+        pattern.tail().push_str(rest);
+        if !text.to_ascii_lowercase().ends_with(".png") {
+            return Err(PatternError::NotPng);
+        }
+        Ok(pattern)
+    }
+
+    fn tail(&mut self) -> &mut String {
+        match self.number {
+            None => &mut self.before,
+            Some(_) => &mut self.after,
+        }
+    }
+
+    /// Whether different frames get different paths.
+    pub fn is_numbered(&self) -> bool {
+        self.number.is_some()
+    }
+
+    /// The path of one frame.
+    pub fn path(&self, frame: u32) -> PathBuf {
+        let OutPattern {
+            before,
+            number,
+            after,
+        } = self;
+        match number {
+            None => before.into(),
+            Some(width) => format!("{before}{frame:0width$}{after}").into(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn path(pattern: &str, frame: u32) -> String {
+        let pattern = OutPattern::parse(pattern).expect("a pattern");
+        pattern.path(frame).display().to_string()
+    }
+
+    #[test]
+    fn the_number_stands_where_it_is_asked_for() {
+        assert_eq!(path("a/%05d.png", 42), "a/00042.png");
+        assert_eq!(path("a%d_b.PNG", 7), "a7_b.PNG");
+        assert_eq!(path("%3d.png", 12345), "12345.png");
+        assert_eq!(path("100%%.png", 1), "100%.png");
+        assert_eq!(path("%%d%d%%.png", 1), "%d1%.png");
+    }
+
+    #[test]
+    fn what_is_no_pattern_says_why() {
+        for (text, error) in [
+            ("", PatternError::Empty),
+            ("%s.png", PatternError::Percent),
+            ("a%.png", PatternError::Percent),
+            ("%-3d.png", PatternError::Percent),
+            ("%d%d.png", PatternError::TwoNumbers),
+            ("%99999999999999999999d.png", PatternError::Width),
+            ("%999d.png", PatternError::Width),
+            ("%d.jpg", PatternError::NotPng),
+            ("frames", PatternError::NotPng),
+        ] {
+            assert_eq!(OutPattern::parse(text), Err(error), "{text}");
+        }
+    }
+
+    #[test]
+    fn only_numbered_patterns_tell_frames_apart() {
+        assert!(OutPattern::parse("%d.png").unwrap().is_numbered());
+        assert!(!OutPattern::parse("a%%d.png").unwrap().is_numbered());
+    }
+}

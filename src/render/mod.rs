@@ -1,0 +1,69 @@
+//! Drawing with wgpu: the only room that knows it.
+//!
+//! A [`Renderer`] holds the GPU objects of one scene. It owns no window and reads no clock: device,
+//! frame input and target come from its caller.
+//!
+//! Orientation: every texture's row 0 is its bottom row, as in GL, and `fragCoord` grows upward. The
+//! picture is turned once, where it leaves the GPU: in [`ReadBack`] and in the window's presenter.
+
+mod channel;
+mod gpu;
+mod pass;
+mod read_back;
+mod target;
+mod watchdog;
+
+pub use gpu::{AdapterChoice, AdapterSummary, Gpu, GpuError, adapters};
+pub use pass::PassLayout;
+pub use read_back::{ReadBack, Slot, Transferred};
+pub use target::Target;
+pub use watchdog::Watchdog;
+
+use crate::frame::FrameInput;
+use crate::scene::Scene;
+use crate::translate::Program;
+
+/// The GPU objects of one scene: pipelines, uniforms, channel textures.
+#[derive(Debug)]
+pub struct Renderer {
+    passes: Vec<pass::GpuPass>,
+}
+
+impl Renderer {
+    /// Builds everything that the programs use, and nothing else. `programs` are the translations of
+    /// `scene`'s passes, in their order.
+    ///
+    /// The driver compiles here; some drivers finish only during the first frame.
+    pub fn new(gpu: &Gpu, scene: &Scene, programs: &[Program]) -> Result<Self, GpuError> {
+        let passes = scene
+            .passes
+            .iter()
+            .zip(programs)
+            .map(|(pass, program)| pass::GpuPass::new(gpu, pass, program))
+            .collect::<Result<_, _>>()?;
+        Ok(Renderer { passes })
+    }
+
+    /// Records the drawing of one frame into `target` and submits it, followed by a copy into
+    /// `read_back`'s slot if one is given.
+    pub fn render(&self, gpu: &Gpu, input: &FrameInput, target: &Target, slot: Option<&mut Slot>) {
+        let mut encoder = gpu
+            .device()
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: None });
+        let timestamps = slot.as_ref().and_then(|slot| slot.timestamps());
+        for pass in &self.passes {
+            pass.draw(gpu, input, &mut encoder, target, timestamps.clone());
+        }
+        match slot {
+            None => {
+                gpu.queue().submit([encoder.finish()]);
+            }
+            Some(slot) => slot.copy(gpu, encoder, target),
+        }
+    }
+
+    /// What is bound for each pass, for those who want to know what was left out.
+    pub fn layouts(&self) -> impl Iterator<Item = &PassLayout> {
+        self.passes.iter().map(pass::GpuPass::layout)
+    }
+}

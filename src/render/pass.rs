@@ -1,0 +1,301 @@
+use glam::Vec3;
+
+use super::channel;
+use super::gpu::{Gpu, GpuError};
+use super::target::Target;
+use crate::frame::{FrameInput, SAMPLE_RATE};
+use crate::scene::{CHANNELS, Pass};
+use crate::translate::bindings::{self, Uniform};
+use crate::translate::{Program, UniformBlock};
+
+/// std140's stride of array elements, in bytes.
+const ARRAY_STRIDE: usize = 16;
+
+/// What is bound for one pass.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PassLayout {
+    /// The entries of the pass's bind group layout; with none, there is no bind group.
+    pub entries: Vec<wgpu::BindGroupLayoutEntry>,
+}
+
+/// The GPU objects of one pass.
+#[derive(Debug)]
+pub(super) struct GpuPass {
+    pipeline: wgpu::RenderPipeline,
+    layout: PassLayout,
+    bind_group: Option<wgpu::BindGroup>,
+    uniforms: Option<Uniforms>,
+}
+
+impl GpuPass {
+    pub fn new(gpu: &Gpu, pass: &Pass, program: &Program) -> Result<Self, GpuError> {
+        let device = gpu.device();
+        let layout = layout(program);
+        let uniforms = program
+            .uniforms
+            .as_ref()
+            .map(|block| Uniforms::new(gpu, block, pass));
+        let mut textures = [const { None }; CHANNELS];
+        let mut samplers = [const { None }; CHANNELS];
+        for (index, usage) in program.channels.iter().enumerate() {
+            if usage.texture {
+                let texture = channel::texture(gpu, pass.channels[index])?;
+                let whole = wgpu::TextureViewDescriptor::default();
+                textures[index] = Some(texture.create_view(&whole));
+            }
+            if usage.sampler {
+                samplers[index] = Some(channel::sampler(gpu, pass.channels[index]));
+            }
+        }
+        let (pipeline, bind_group) = gpu.guarded("compiling the shader", || {
+            let mut entries = Vec::new();
+            let mut bind = |binding, resource| {
+                entries.push(wgpu::BindGroupEntry { binding, resource });
+            };
+            if let Some(uniforms) = &uniforms {
+                bind(bindings::UNIFORMS, uniforms.buffer.as_entire_binding());
+            }
+            for (index, (texture, sampler)) in textures.iter().zip(&samplers).enumerate() {
+                if let Some(view) = texture {
+                    let resource = wgpu::BindingResource::TextureView(view);
+                    bind(bindings::texture(index), resource);
+                }
+                if let Some(sampler) = sampler {
+                    let resource = wgpu::BindingResource::Sampler(sampler);
+                    bind(bindings::sampler(index), resource);
+                }
+            }
+            let group_layout = (!layout.entries.is_empty()).then(|| {
+                device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                    label: None,
+                    entries: &layout.entries,
+                })
+            });
+            let bind_group = group_layout.as_ref().map(|layout| {
+                device.create_bind_group(&wgpu::BindGroupDescriptor {
+                    label: None,
+                    layout,
+                    entries: &entries,
+                })
+            });
+            let fragment = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(program.kind.name()),
+                source: wgpu::ShaderSource::Naga(std::borrow::Cow::Owned(program.module.clone())),
+            });
+            let pipeline = full_screen_pipeline(
+                gpu,
+                group_layout.as_ref(),
+                &fragment,
+                Program::ENTRY_POINT,
+                Target::FORMAT,
+            );
+            (pipeline, bind_group)
+        })?;
+        Ok(GpuPass {
+            pipeline,
+            layout,
+            bind_group,
+            uniforms,
+        })
+    }
+
+    pub fn layout(&self) -> &PassLayout {
+        &self.layout
+    }
+
+    /// Records the drawing of one frame.
+    pub fn draw(
+        &self,
+        gpu: &Gpu,
+        input: &FrameInput,
+        encoder: &mut wgpu::CommandEncoder,
+        target: &Target,
+        timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    ) {
+        if let Some(uniforms) = &self.uniforms {
+            uniforms.upload(gpu, input);
+        }
+        full_screen_pass(
+            encoder,
+            target.view(),
+            &self.pipeline,
+            self.bind_group.as_ref(),
+            timestamp_writes,
+        );
+    }
+}
+
+/// A pipeline that covers its target with one triangle. Call it within [`Gpu::guarded`].
+pub(super) fn full_screen_pipeline(
+    gpu: &Gpu,
+    group_layout: Option<&wgpu::BindGroupLayout>,
+    fragment: &wgpu::ShaderModule,
+    entry_point: &str,
+    format: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
+    let device = gpu.device();
+    let vertex = device.create_shader_module(wgpu::include_wgsl!("full_screen.wgsl"));
+    let groups: &[_] = match &group_layout {
+        Some(_) => &[group_layout],
+        None => &[],
+    };
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: None,
+        bind_group_layouts: groups,
+        immediate_size: 0,
+    });
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: None,
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module: &vertex,
+            entry_point: Some("full_screen"),
+            compilation_options: Default::default(),
+            buffers: &[],
+        },
+        primitive: Default::default(),
+        depth_stencil: None,
+        multisample: Default::default(),
+        fragment: Some(wgpu::FragmentState {
+            module: fragment,
+            entry_point: Some(entry_point),
+            compilation_options: Default::default(),
+            targets: &[Some(format.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+/// Records one draw over the whole of `view`, which is cleared to opaque black first: what a shader
+/// discards shows black.
+pub(super) fn full_screen_pass(
+    encoder: &mut wgpu::CommandEncoder,
+    view: &wgpu::TextureView,
+    pipeline: &wgpu::RenderPipeline,
+    bind_group: Option<&wgpu::BindGroup>,
+    timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
+) {
+    let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: None,
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                store: wgpu::StoreOp::Store,
+            },
+        })],
+        timestamp_writes,
+        ..Default::default()
+    });
+    pass.set_pipeline(pipeline);
+    if let Some(group) = bind_group {
+        pass.set_bind_group(bindings::GROUP, group, &[]);
+    }
+    pass.draw(0..3, 0..1);
+}
+
+fn layout(program: &Program) -> PassLayout {
+    let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty,
+        count: None,
+    };
+    let mut entries = Vec::new();
+    if let Some(block) = &program.uniforms {
+        entries.push(entry(
+            bindings::UNIFORMS,
+            wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Uniform,
+                has_dynamic_offset: false,
+                min_binding_size: std::num::NonZeroU64::new(u64::from(block.size)),
+            },
+        ));
+    }
+    for (index, usage) in program.channels.iter().enumerate() {
+        if usage.texture {
+            entries.push(entry(
+                bindings::texture(index),
+                wgpu::BindingType::Texture {
+                    sample_type: wgpu::TextureSampleType::Float { filterable: true },
+                    view_dimension: wgpu::TextureViewDimension::D2,
+                    multisampled: false,
+                },
+            ));
+        }
+        if usage.sampler {
+            entries.push(entry(
+                bindings::sampler(index),
+                wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+            ));
+        }
+    }
+    PassLayout { entries }
+}
+
+/// A pass's uniform block, and what of it does not change.
+#[derive(Debug)]
+struct Uniforms {
+    buffer: wgpu::Buffer,
+    block: UniformBlock,
+    channel_resolution: [Vec3; CHANNELS],
+}
+
+impl Uniforms {
+    fn new(gpu: &Gpu, block: &UniformBlock, pass: &Pass) -> Self {
+        Uniforms {
+            buffer: gpu.device().create_buffer(&wgpu::BufferDescriptor {
+                label: Some("uniforms"),
+                size: u64::from(block.size),
+                usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            }),
+            block: block.clone(),
+            channel_resolution: pass.channels.map(channel::resolution),
+        }
+    }
+
+    fn upload(&self, gpu: &Gpu, input: &FrameInput) {
+        let size = std::num::NonZeroU64::new(u64::from(self.block.size));
+        let view = size.and_then(|size| gpu.queue().write_buffer_with(&self.buffer, 0, size));
+        // Without a view the device is lost, which `Gpu::check` tells.
+        if let Some(mut view) = view {
+            let mut bytes = vec![0; self.block.size as usize];
+            self.pack(input, &mut bytes);
+            view.copy_from_slice(&bytes);
+        }
+    }
+
+    /// Writes the members that the pass reads at their places; the rest of the block is left alone.
+    fn pack(&self, input: &FrameInput, bytes: &mut [u8]) {
+        for &(uniform, offset) in &self.block.members {
+            let mut put = |at: usize, value: &[u8]| {
+                let start = offset as usize + at;
+                bytes[start..start + value.len()].copy_from_slice(value);
+            };
+            match uniform {
+                Uniform::Resolution => {
+                    let size = input.resolution.as_vec2().extend(1.0);
+                    put(0, bytemuck::bytes_of(&size));
+                }
+                Uniform::Time => put(0, bytemuck::bytes_of(&input.time)),
+                Uniform::TimeDelta => put(0, bytemuck::bytes_of(&input.time_delta)),
+                Uniform::FrameRate => put(0, bytemuck::bytes_of(&input.frame_rate)),
+                Uniform::Frame => put(0, bytemuck::bytes_of(&input.frame)),
+                Uniform::Mouse => put(0, bytemuck::bytes_of(&input.mouse)),
+                Uniform::Date => put(0, bytemuck::bytes_of(&input.date)),
+                Uniform::SampleRate => put(0, bytemuck::bytes_of(&SAMPLE_RATE)),
+                // No input that plays in time exists yet.
+                Uniform::ChannelTime => {}
+                Uniform::ChannelResolution => {
+                    for (channel, size) in self.channel_resolution.iter().enumerate() {
+                        put(channel * ARRAY_STRIDE, bytemuck::bytes_of(size));
+                    }
+                }
+            }
+        }
+    }
+}

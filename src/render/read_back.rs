@@ -1,0 +1,183 @@
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU8, Ordering};
+
+use glam::UVec2;
+
+use super::gpu::{Gpu, GpuError, WAIT_SLICE};
+use super::target::Target;
+use crate::frame::FrameImage;
+
+/// Two timestamps of eight bytes.
+const TIMES_BYTES: u64 = 16;
+
+/// A ring of buffers through which pictures come back from the GPU.
+///
+/// While one slot is being read, others can be drawn into; each goes from [`super::Renderer::render`]
+/// to [`Slot::is_ready`] to [`Slot::take`], and is then free again.
+#[derive(Debug)]
+pub struct ReadBack {
+    /// The slots, to be used in turn.
+    pub slots: Vec<Slot>,
+}
+
+impl ReadBack {
+    /// A ring of `count` slots for pictures of `size` pixels; with `timed` each also brings back how
+    /// long the GPU drew, where the device can tell.
+    pub fn new(gpu: &Gpu, size: UVec2, count: usize, timed: bool) -> Result<Self, GpuError> {
+        let timed = timed && gpu.has_timestamps();
+        gpu.guarded("making the read-back buffers", || ReadBack {
+            slots: (0..count).map(|_| Slot::new(gpu, size, timed)).collect(),
+        })
+    }
+}
+
+/// One picture on its way back.
+#[derive(Debug)]
+pub struct Slot {
+    size: UVec2,
+    /// Bytes from one row to the next in `buffer`, padded as copies demand.
+    stride: u32,
+    buffer: wgpu::Buffer,
+    stopwatch: Option<Stopwatch>,
+    submission: Option<wgpu::SubmissionIndex>,
+    state: Arc<AtomicU8>,
+}
+
+const PENDING: u8 = 0;
+const MAPPED: u8 = 1;
+const FAILED: u8 = 2;
+
+/// What came back besides the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transferred {
+    /// How long the GPU drew this frame, if it was asked and can tell.
+    pub gpu_seconds: Option<f64>,
+}
+
+impl Slot {
+    fn new(gpu: &Gpu, size: UVec2, timed: bool) -> Self {
+        let stride = (4 * size.x).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let picture = u64::from(stride) * u64::from(size.y);
+        Slot {
+            size,
+            stride,
+            buffer: gpu.device().create_buffer(&wgpu::BufferDescriptor {
+                label: Some("read-back"),
+                size: picture + if timed { TIMES_BYTES } else { 0 },
+                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+                mapped_at_creation: false,
+            }),
+            stopwatch: timed.then(|| Stopwatch::new(gpu)),
+            submission: None,
+            state: Arc::default(),
+        }
+    }
+
+    pub(super) fn timestamps(&self) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
+        let stopwatch = self.stopwatch.as_ref()?;
+        Some(wgpu::RenderPassTimestampWrites {
+            query_set: &stopwatch.queries,
+            beginning_of_pass_write_index: Some(0),
+            end_of_pass_write_index: Some(1),
+        })
+    }
+
+    /// Adds the copy to `encoder`, submits it and asks for the result.
+    pub(super) fn copy(&mut self, gpu: &Gpu, mut encoder: wgpu::CommandEncoder, target: &Target) {
+        debug_assert_eq!(self.size, target.size(), "a slot is made for one size");
+        encoder.copy_texture_to_buffer(
+            target.texture().as_image_copy(),
+            wgpu::TexelCopyBufferInfo {
+                buffer: &self.buffer,
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(self.stride),
+                    rows_per_image: None,
+                },
+            },
+            target.texture().size(),
+        );
+        if let Some(stopwatch) = &self.stopwatch {
+            encoder.resolve_query_set(&stopwatch.queries, 0..2, &stopwatch.resolved, 0);
+            let end = self.buffer.size() - TIMES_BYTES;
+            encoder.copy_buffer_to_buffer(&stopwatch.resolved, 0, &self.buffer, end, TIMES_BYTES);
+        }
+        self.submission = Some(gpu.queue().submit([encoder.finish()]));
+        self.state.store(PENDING, Ordering::Release);
+        let state = Arc::clone(&self.state);
+        self.buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+            let outcome = if result.is_ok() { MAPPED } else { FAILED };
+            state.store(outcome, Ordering::Release);
+        });
+    }
+
+    /// Waits a moment for the picture; `false` means that it is still being drawn.
+    pub fn is_ready(&self, gpu: &Gpu) -> Result<bool, GpuError> {
+        let poll = gpu.device().poll(wgpu::PollType::Wait {
+            submission_index: self.submission.clone(),
+            timeout: Some(WAIT_SLICE),
+        });
+        gpu.check()?;
+        match (self.state.load(Ordering::Acquire), poll) {
+            (MAPPED, _) => Ok(true),
+            (FAILED, _) => Err(GpuError::Lost("a picture could not be read back".to_owned())),
+            (_, Ok(_) | Err(wgpu::PollError::Timeout)) => Ok(false),
+            (_, Err(error)) => Err(GpuError::Lost(error.to_string())),
+        }
+    }
+
+    /// Copies a picture that is ready into `image`, top row first and without alpha, and frees the
+    /// slot. `image`'s memory is reused.
+    pub fn take(&mut self, gpu: &Gpu, image: &mut FrameImage) -> Result<Transferred, GpuError> {
+        let gpu_seconds;
+        {
+            let mapped = self
+                .buffer
+                .get_mapped_range(..)
+                .map_err(|error| GpuError::Lost(error.to_string()))?;
+            let row = 4 * self.size.x as usize;
+            image.size = self.size;
+            image.rgb.resize(3 * (self.size.x * self.size.y) as usize, 0);
+            let rows = mapped.chunks(self.stride as usize).take(self.size.y as usize);
+            let out = image.rgb.chunks_exact_mut(3 * self.size.x as usize);
+            for (from, to) in rows.zip(out.rev()) {
+                for (from, to) in from[..row].chunks_exact(4).zip(to.chunks_exact_mut(3)) {
+                    to.copy_from_slice(&from[..3]);
+                }
+            }
+            gpu_seconds = self.stopwatch.as_ref().map(|_| {
+                let end = mapped.len();
+                let tick = |at: usize| -> u64 { bytemuck::pod_read_unaligned(&mapped[at..at + 8]) };
+                let ticks = tick(end - 8).saturating_sub(tick(end - 16));
+                ticks as f64 * f64::from(gpu.queue().get_timestamp_period()) * 1e-9
+            });
+        }
+        self.buffer.unmap();
+        Ok(Transferred { gpu_seconds })
+    }
+}
+
+/// A pair of timestamps around one frame.
+#[derive(Debug)]
+struct Stopwatch {
+    queries: wgpu::QuerySet,
+    resolved: wgpu::Buffer,
+}
+
+impl Stopwatch {
+    fn new(gpu: &Gpu) -> Self {
+        Stopwatch {
+            queries: gpu.device().create_query_set(&wgpu::QuerySetDescriptor {
+                label: None,
+                ty: wgpu::QueryType::Timestamp,
+                count: 2,
+            }),
+            resolved: gpu.device().create_buffer(&wgpu::BufferDescriptor {
+                label: None,
+                size: TIMES_BYTES,
+                usage: wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
+                mapped_at_creation: false,
+            }),
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! The live triple of scene, programs and renderer: the same in window, export and tests.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use crate::render::{Gpu, GpuError, Renderer};
+use crate::scene::{self, LoadError, LoadErrorKind, Scene, Source};
+use crate::source::Report;
+use crate::translate::{self, Program};
+
+/// A scene that can be drawn.
+#[derive(Debug)]
+pub struct Session {
+    /// What was loaded.
+    pub scene: Scene,
+    /// Its translation, a program for each pass.
+    pub programs: Vec<Program>,
+    /// Its GPU objects.
+    pub renderer: Renderer,
+    /// What the author should know although the scene runs.
+    pub warnings: Report,
+    /// How long it took to get here.
+    pub timing: Timing,
+}
+
+/// How long the steps of opening a scene took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Timing {
+    /// Reading files.
+    pub load: Duration,
+    /// From GLSL to programs.
+    pub translate: Duration,
+    /// From programs to pipelines, textures and buffers.
+    pub build: Duration,
+}
+
+/// Why a scene could not be opened.
+#[derive(Debug)]
+pub enum OpenError {
+    /// Something is wrong with the scene; its author can mend it.
+    Scene {
+        /// What.
+        report: Report,
+        /// The files that the attempt looked at, if that is known.
+        read: Vec<PathBuf>,
+    },
+    /// A file could not be read.
+    Io {
+        /// Which.
+        path: PathBuf,
+        /// What the system said.
+        error: std::io::Error,
+    },
+    /// The driver failed.
+    Gpu(GpuError),
+}
+
+impl From<LoadError> for OpenError {
+    fn from(error: LoadError) -> Self {
+        match error.kind {
+            LoadErrorKind::Scene(report) => OpenError::Scene {
+                report,
+                read: error.read,
+            },
+            LoadErrorKind::Io { path, error } => OpenError::Io { path, error },
+        }
+    }
+}
+
+impl From<GpuError> for OpenError {
+    fn from(error: GpuError) -> Self {
+        OpenError::Gpu(error)
+    }
+}
+
+impl Session {
+    /// Loads, translates and builds a scene.
+    pub fn open(gpu: &Gpu, source: &Source) -> Result<Self, OpenError> {
+        let start = Instant::now();
+        let scene = scene::load(source)?;
+        let loaded = Instant::now();
+        let programs = translate::translate(&scene).map_err(|report| OpenError::Scene {
+            report,
+            read: scene.read.clone(),
+        })?;
+        let translated = Instant::now();
+        let renderer = Renderer::new(gpu, &scene, &programs)?;
+        let timing = Timing {
+            load: loaded - start,
+            translate: translated - loaded,
+            build: translated.elapsed(),
+        };
+        let warnings = Report {
+            files: scene.files.clone(),
+            diagnostics: programs.iter().flat_map(|p| p.warnings.clone()).collect(),
+        };
+        Ok(Session {
+            scene,
+            programs,
+            renderer,
+            warnings,
+            timing,
+        })
+    }
+
+    /// Opens the scene anew and, if that succeeds, becomes the new one. On failure nothing changes:
+    /// what was drawn before can go on.
+    pub fn reload(&mut self, gpu: &Gpu, source: &Source) -> Result<(), OpenError> {
+        *self = Session::open(gpu, source)?;
+        Ok(())
+    }
+}

@@ -1,0 +1,96 @@
+//! The contract between translated programs and the renderer: which name is bound where.
+
+use crate::scene::CHANNELS;
+
+/// The bind group that everything lives in.
+pub const GROUP: u32 = 0;
+
+/// Binding of the uniform block.
+pub const UNIFORMS: u32 = 0;
+
+/// Binding of the texture behind `iChannel{channel}`.
+pub const fn texture(channel: usize) -> u32 {
+    1 + 2 * channel as u32
+}
+
+/// Binding of the sampler behind `iChannel{channel}`.
+pub const fn sampler(channel: usize) -> u32 {
+    2 + 2 * channel as u32
+}
+
+/// ShaderToy's uniforms, in the order in which the site declares them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Uniform {
+    /// `vec3 iResolution`
+    Resolution,
+    /// `float iTime`
+    Time,
+    /// `float iChannelTime[4]`
+    ChannelTime,
+    /// `vec4 iMouse`
+    Mouse,
+    /// `vec4 iDate`
+    Date,
+    /// `float iSampleRate`
+    SampleRate,
+    /// `vec3 iChannelResolution[4]`
+    ChannelResolution,
+    /// `int iFrame`
+    Frame,
+    /// `float iTimeDelta`
+    TimeDelta,
+    /// `float iFrameRate`
+    FrameRate,
+}
+
+impl Uniform {
+    /// Every uniform.
+    pub const ALL: [Uniform; 10] = [
+        Uniform::Resolution,
+        Uniform::Time,
+        Uniform::ChannelTime,
+        Uniform::Mouse,
+        Uniform::Date,
+        Uniform::SampleRate,
+        Uniform::ChannelResolution,
+        Uniform::Frame,
+        Uniform::TimeDelta,
+        Uniform::FrameRate,
+    ];
+
+    /// The name that authors write.
+    pub fn name(self) -> &'static str {
+        match self {
+            Uniform::Resolution => "iResolution",
+            Uniform::Time => "iTime",
+            Uniform::ChannelTime => "iChannelTime",
+            Uniform::Mouse => "iMouse",
+            Uniform::Date => "iDate",
+            Uniform::SampleRate => "iSampleRate",
+            Uniform::ChannelResolution => "iChannelResolution",
+            Uniform::Frame => "iFrame",
+            Uniform::TimeDelta => "iTimeDelta",
+            Uniform::FrameRate => "iFrameRate",
+        }
+    }
+
+    /// Its declaration as a member of a GLSL block, without the semicolon.
+    pub fn declaration(self) -> String {
+        let name = self.name();
+        match self {
+            Uniform::Resolution => format!("vec3 {name}"),
+            Uniform::Mouse | Uniform::Date => format!("vec4 {name}"),
+            Uniform::Frame => format!("int {name}"),
+            Uniform::ChannelTime => format!("float {name}[{CHANNELS}]"),
+            Uniform::ChannelResolution => format!("vec3 {name}[{CHANNELS}]"),
+            Uniform::Time | Uniform::SampleRate | Uniform::TimeDelta | Uniform::FrameRate => {
+                format!("float {name}")
+            }
+        }
+    }
+}
+
+/// The name that authors write for a channel.
+pub fn channel_name(channel: usize) -> &'static str {
+    ["iChannel0", "iChannel1", "iChannel2", "iChannel3"][channel]
+}

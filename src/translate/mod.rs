@@ -1,0 +1,116 @@
+//! From a [`Scene`] to [`Program`]s: ShaderToy's conventions around a GLSL front end.
+//!
+//! The author's text goes in verbatim, behind a generated preamble. What comes out is validated naga
+//! IR that reads exactly the uniforms and channels in its [`Program::uniforms`] and
+//! [`Program::channels`], bound as [`bindings`] says. Every complaint points into the author's own
+//! files. No text, however hostile, makes this panic or run for ever.
+//!
+//! Limits of this version: the GLSL is parsed by naga's own front end, which refuses parts of
+//! GLSL ES 3.00 (sampler parameters above all) and accepts some things that WebGL2 refuses.
+
+mod assemble;
+pub mod bindings;
+mod front;
+mod guard;
+mod program;
+mod scan;
+mod write;
+
+pub use program::{ChannelUse, Functions, Program, UniformBlock};
+pub use write::{Language, write};
+
+use std::collections::HashSet;
+
+use assemble::Assembly;
+
+use crate::scene::{CHANNELS, Pass, Scene};
+use crate::source::{Diagnostic, Report, Span};
+
+/// Translates every pass of a scene, in the scene's order.
+///
+/// On failure the report holds everything that is wrong with any pass. Warnings of a scene that
+/// runs are in [`Program::warnings`].
+pub fn translate(scene: &Scene) -> Result<Vec<Program>, Report> {
+    let mut programs = Vec::new();
+    let mut diagnostics = Vec::new();
+    for pass in &scene.passes {
+        match translate_pass(scene, pass) {
+            Ok(program) => programs.push(program),
+            Err(found) => diagnostics.extend(in_pass(pass, found)),
+        }
+    }
+    if diagnostics.is_empty() {
+        return Ok(programs);
+    }
+    Err(Report {
+        files: scene.files.clone(),
+        diagnostics,
+    })
+}
+
+fn translate_pass(scene: &Scene, pass: &Pass) -> Result<Program, Vec<Diagnostic>> {
+    let mut words = HashSet::new();
+    let mut problems = Vec::new();
+    for &file in &pass.sources {
+        let scan = scan::scan(file, &scene.files.get(file).text);
+        words.extend(scan.words);
+        problems.extend(scan.problems);
+    }
+    if !problems.is_empty() {
+        return Err(problems);
+    }
+    let assembly = Assembly::new(&scene.files, pass, &words);
+    let kind = pass.kind;
+    let mut program = guard::guarded(move || {
+        let (module, _) = front::parse(&assembly)?;
+        Program::new(kind, module).map_err(|diagnostic| vec![diagnostic])
+    })
+    .unwrap_or_else(|failure| Err(vec![failure.diagnostic().at(own_text(scene, pass))]))?;
+    program.warnings = in_pass(pass, unbound_channels(scene, pass, &program)).collect();
+    Ok(program)
+}
+
+fn in_pass(pass: &Pass, found: Vec<Diagnostic>) -> impl Iterator<Item = Diagnostic> {
+    let name = pass.kind.name();
+    found.into_iter().map(move |mut diagnostic| {
+        diagnostic.pass = Some(name.to_owned());
+        diagnostic
+    })
+}
+
+/// The beginning of the pass's own text, for what has no better place.
+fn own_text(scene: &Scene, pass: &Pass) -> Option<Span> {
+    let start = scene.files.whole(*pass.sources.last()?);
+    Some(Span {
+        end: start.start,
+        ..start
+    })
+}
+
+fn unbound_channels(scene: &Scene, pass: &Pass, program: &Program) -> Vec<Diagnostic> {
+    (0..CHANNELS)
+        .filter(|&channel| program.channels[channel].texture && pass.channels[channel].is_none())
+        .map(|channel| {
+            let name = bindings::channel_name(channel);
+            Diagnostic::warning(
+                "unbound-channel",
+                format!("`{name}` is read but nothing is bound to it: it reads (0, 0, 0, 1)"),
+            )
+            .at(first_use(scene, pass, name))
+            .hint(format!(
+                "bind it in a scene folder's scene.toml: {name} = {{ procedural = \"noise\" }}"
+            ))
+        })
+        .collect()
+}
+
+fn first_use(scene: &Scene, pass: &Pass, name: &str) -> Option<Span> {
+    pass.sources.iter().find_map(|&file| {
+        let at = scene.files.get(file).text.find(name)?;
+        Some(Span {
+            file,
+            start: at as u32,
+            end: (at + name.len()) as u32,
+        })
+    })
+}
