@@ -9,8 +9,8 @@ use super::bindings::{self, Uniform};
 use crate::scene::{CHANNELS, Pass};
 use crate::source::{FileId, SourceMap, Span};
 
-/// One text for the front end: preamble and wrapper first, as on the site, so that the author's
-/// macros cannot reach them, then every Common text, then the pass's own.
+/// One text for the front end: the preamble, every Common text, the pass's own, and `main`. (The site
+/// puts `main` first, behind a prototype; naga wants callees before their callers.)
 pub(super) struct Assembly {
     pub text: String,
     segments: Vec<Segment>,
@@ -42,6 +42,7 @@ impl Assembly {
             });
             text.push('\n');
         }
+        text.push_str(MAIN);
         Assembly { text, segments }
     }
 
@@ -75,9 +76,17 @@ impl Assembly {
     }
 }
 
-/// Declarations of the uniforms and channels among `words`, and `main`.
-///
-/// The colour starts at 0 because WebGL clears what an `out` parameter holds on entry.
+/// Calls the author's code. The colour starts at 0 because WebGL clears what an `out` parameter holds
+/// on entry; alpha is ignored, as on the site.
+const MAIN: &str = "\
+void main() {
+    vec4 vitrine_out = vec4(0.0);
+    mainImage(vitrine_out, gl_FragCoord.xy);
+    vitrine_color = vec4(vitrine_out.xyz, 1.0);
+}
+";
+
+/// Declarations of the uniforms and channels among `words`, and of the output.
 fn preamble(words: &HashSet<&str>) -> String {
     let mut text = String::from("#version 450\n#define GL_ES 1\n#define HW_PERFORMANCE 1\n");
     let uniforms: Vec<Uniform> = Uniform::ALL
@@ -108,15 +117,7 @@ fn preamble(words: &HashSet<&str>) -> String {
         )
         .expect("strings take all text");
     }
-    text.push_str(
-        "layout(location = 0) out vec4 vitrine_color;\n\
-         void mainImage(out vec4 color, in vec2 coord);\n\
-         void main() {\n    \
-             vec4 color = vec4(0.0);\n    \
-             mainImage(color, gl_FragCoord.xy);\n    \
-             vitrine_color = vec4(color.xyz, 1.0);\n\
-         }\n",
-    );
+    text.push_str("layout(location = 0) out vec4 vitrine_color;\n");
     text
 }
 
@@ -159,7 +160,7 @@ mod tests {
     #[test]
     fn ranges_are_cut_to_their_file() {
         let (files, assembly) = assembly("ab");
-        let start = assembly.text.len() - 2;
+        let start = assembly.text.find("ab").expect("verbatim");
         let span = assembly.locate(start..start + 900).expect("the author's");
         assert_eq!(span.end as usize, files.get(span.file).text.len());
     }

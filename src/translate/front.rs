@@ -19,7 +19,6 @@ pub(super) fn parse(assembly: &Assembly) -> Result<(Module, ModuleInfo), Vec<Dia
     let module = Frontend::default()
         .parse(&Options::from(ShaderStage::Fragment), &assembly.text)
         .map_err(|errors| refusals(assembly, &errors.errors))?;
-    require_main_image(assembly, &module)?;
     require_shallow_blocks(assembly, &module)?;
     let info = validate(&module).map_err(|error| vec![invalid(assembly, &error)])?;
     Ok((module, info))
@@ -30,34 +29,6 @@ pub(super) fn validate(module: &Module) -> Result<ModuleInfo, Box<WithSpan<Valid
     Validator::new(ValidationFlags::all(), Capabilities::default())
         .validate(module)
         .map_err(Box::new)
-}
-
-/// The generated prototype leaves a function without a body; a definition always has a return.
-fn require_main_image(assembly: &Assembly, module: &Module) -> Result<(), Vec<Diagnostic>> {
-    let defined = module.functions.iter().any(|(_, function)| {
-        function.name.as_deref() == Some("mainImage")
-            && function.arguments.len() == 2
-            && !function.body.is_empty()
-    });
-    if defined {
-        return Ok(());
-    }
-    let has = |name: &str| {
-        module
-            .functions
-            .iter()
-            .any(|(_, function)| function.name.as_deref() == Some(name))
-    };
-    let hint = if has("mainSound") {
-        "this looks like the text of a Sound tab; paste the Image tab"
-    } else {
-        "ShaderToy code draws in `void mainImage(out vec4 fragColor, in vec2 fragCoord)`"
-    };
-    Err(vec![
-        Diagnostic::error("no-main-image", "there is no `mainImage(out vec4, in vec2)`")
-            .at(assembly.end())
-            .hint(hint),
-    ])
 }
 
 fn require_shallow_blocks(assembly: &Assembly, module: &Module) -> Result<(), Vec<Diagnostic>> {
@@ -115,14 +86,41 @@ fn refusals(assembly: &Assembly, errors: &[Error]) -> Vec<Diagnostic> {
     let mut diagnostics: Vec<Diagnostic> = Vec::new();
     for error in errors {
         let range = error.meta.to_range();
-        let span = range.clone().and_then(|range| assembly.locate(range));
-        // An error without a place, or in generated text, is a consequence that shows at the end.
-        let span = span.or(assembly.end());
-        if diagnostics.iter().all(|known| known.span != span) {
-            diagnostics.push(refusal(assembly, &error.kind, range).at(span));
+        let diagnostic = match range.clone().and_then(|range| assembly.locate(range)) {
+            Some(span) => refusal(assembly, &error.kind, range).at(span),
+            None => at_the_end(assembly, &error.kind).at(assembly.end()),
+        };
+        if diagnostics.iter().all(|known| known.span != diagnostic.span) {
+            diagnostics.push(diagnostic);
         }
     }
     diagnostics
+}
+
+/// An error without a place, or in the text that follows the author's, comes from what theirs lacks.
+fn at_the_end(assembly: &Assembly, kind: &ErrorKind) -> Diagnostic {
+    match kind {
+        ErrorKind::SemanticError(message) if message.contains("function 'mainImage'") => {
+            let hint = if assembly.text.contains("mainSound") {
+                "this looks like the text of a Sound tab; paste the Image tab"
+            } else {
+                "ShaderToy code draws in `void mainImage(out vec4 fragColor, in vec2 fragCoord)`"
+            };
+            Diagnostic::error("no-main-image", "there is no `mainImage(out vec4, in vec2)`")
+                .hint(hint)
+        }
+        ErrorKind::SemanticError(message) if message == "Function already defined" => {
+            Diagnostic::error("redeclared", "there is a function `main`")
+                .hint("ShaderToy code has a `mainImage` instead; the host brings `main`")
+        }
+        ErrorKind::EndOfFile | ErrorKind::InvalidToken(..) => too_early(),
+        kind => refusal(assembly, kind, None),
+    }
+}
+
+fn too_early() -> Diagnostic {
+    Diagnostic::error("syntax", "the text ends too early")
+        .hint("a `}`, a `)` or a `;` is missing somewhere above")
 }
 
 fn refusal(assembly: &Assembly, kind: &ErrorKind, range: Option<Range<usize>>) -> Diagnostic {
@@ -130,8 +128,7 @@ fn refusal(assembly: &Assembly, kind: &ErrorKind, range: Option<Range<usize>>) -
         .and_then(|range| assembly.text.get(range))
         .unwrap_or_default();
     match kind {
-        ErrorKind::EndOfFile => Diagnostic::error("syntax", "the text ends too early")
-            .hint("a `}`, `)` or `;` is missing"),
+        ErrorKind::EndOfFile => too_early(),
         ErrorKind::InvalidToken(TokenValue::Identifier(name), _) if name.starts_with("sampler") => {
             Diagnostic::error("unsupported", format!("`{name}` cannot be used here yet"))
                 .hint("sampler parameters are not supported yet: read `iChannel0` … directly")
