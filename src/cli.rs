@@ -258,18 +258,36 @@ mod tests {
         let size = |text: &str| text.parse::<Size>().map(|size| (size.width, size.height));
         assert_eq!(size("640x360"), Ok((640, 360)));
         assert!(size("0x5").unwrap_err().contains("at least one pixel"));
-        for bad in ["640", "x", "640x", "-1x5", "1x2x3", "99999999999x1", "1.5x2"] {
+        for bad in [
+            "640",
+            "x",
+            "640x",
+            "-1x5",
+            "1x2x3",
+            "99999999999x1",
+            "1.5x2",
+        ] {
             assert!(size(bad).is_err(), "{bad}");
         }
     }
 
     #[test]
     fn frame_ranges() {
-        let range = |text: &str| text.parse::<FrameRange>().map(|range| (range.start, range.end));
+        let range = |text: &str| {
+            text.parse::<FrameRange>()
+                .map(|range| (range.start, range.end))
+        };
         assert_eq!(range("0..60"), Ok((0, 60)));
         assert!(range("9..3").unwrap_err().contains("did you mean 3..9"));
         assert!(range("3..3").unwrap_err().contains("did you mean 3..4"));
-        for bad in ["5", "..", "a..b", "0..99999999999", "0..3000000000", "-1..4"] {
+        for bad in [
+            "5",
+            "..",
+            "a..b",
+            "0..99999999999",
+            "0..3000000000",
+            "-1..4",
+        ] {
             assert!(range(bad).is_err(), "{bad}");
         }
     }

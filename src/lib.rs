@@ -1,12 +1,16 @@
 //! Vitrine runs ShaderToy GLSL: unchanged, live and frame by frame.
-pub mod frame;
-pub mod scene;
-pub mod source;
-pub mod translate;
-pub mod report;
-#[cfg(feature = "gpu")]
-pub mod render;
-#[cfg(feature = "gpu")]
-pub mod session;
 #[cfg(feature = "gpu")]
 pub mod export;
+pub mod frame;
+#[cfg(feature = "gpu")]
+pub mod output;
+#[cfg(feature = "gpu")]
+pub mod render;
+pub mod report;
+pub mod scene;
+#[cfg(feature = "gpu")]
+pub mod session;
+pub mod source;
+pub mod translate;
+#[cfg(feature = "window")]
+pub mod window;

@@ -9,6 +9,7 @@ use glam::UVec2;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use vitrine::export::{self, ExportError, Frames, Job, OutPattern, Summary};
+use vitrine::output;
 use vitrine::render::Gpu;
 use vitrine::session::Session;
 
@@ -48,7 +49,7 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     if let Some(path) = &args.stats {
         let stats = Stats::new(&gpu, &session, &job, &summary, driver, opened, wall);
         let text = serde_json::to_string_pretty(&stats)? + "\n";
-        export::place(path, text.as_bytes(), true)
+        output::place(path, text.as_bytes(), true)
             .with_context(|| format!("cannot write `{}`", path.display()))?;
     }
     Ok(match summary.interrupted {

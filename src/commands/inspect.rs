@@ -112,7 +112,12 @@ fn channel(index: usize, usage: ChannelUse, bound: Option<Channel>) -> ChannelFi
 }
 
 fn human(findings: &Findings<'_>) -> String {
-    let owned = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
+    let owned = |names: &[&str]| {
+        names
+            .iter()
+            .map(|&name| name.to_owned())
+            .collect::<Vec<_>>()
+    };
     let left_out = &findings.left_out;
     let channels: Vec<_> = findings.channels.iter().map(channel_line).collect();
     let mut text = format!("{}, pass {}\n", findings.scene, findings.pass);

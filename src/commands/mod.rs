@@ -8,6 +8,8 @@ mod export;
 mod inspect;
 #[cfg(feature = "gpu")]
 mod opening;
+#[cfg(feature = "window")]
+mod run;
 mod translate;
 
 use std::io::Read as _;
@@ -39,7 +41,7 @@ pub fn run(command: Command, started: Instant) -> anyhow::Result<ExitCode> {
     let _ = started;
     match command {
         #[cfg(feature = "window")]
-        Command::Run(_) => todo!(),
+        Command::Run(args) => run::run(args),
         #[cfg(feature = "gpu")]
         Command::Export(args) => export::export(args, started),
         Command::Check(args) => check::check(args),

@@ -42,7 +42,10 @@ pub fn watchdog(args: &GpuArgs) -> Watchdog {
         },
         |elapsed| {
             super::complain(&failure(
-                format!("a frame was not finished after {:.0} s", elapsed.as_secs_f64()),
+                format!(
+                    "a frame was not finished after {:.0} s",
+                    elapsed.as_secs_f64()
+                ),
                 "does a loop never end? Otherwise choose a smaller `--size`, or give it more time \
                  with `--frame-timeout SECONDS`",
             ));

@@ -5,8 +5,8 @@ use std::sync::{Arc, Mutex, mpsc};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use super::sink::{PngSink, WriteError};
 use crate::frame::FrameImage;
+use crate::output::{PngSink, WriteError};
 
 /// More threads than this help no disk.
 const MAX_THREADS: usize = 8;
@@ -97,7 +97,10 @@ impl Encoders {
     }
 
     fn wait_for_one(&mut self) -> Result<(), WriteError> {
-        let finished = self.finished.recv().expect("the threads outlive their queue");
+        let finished = self
+            .finished
+            .recv()
+            .expect("the threads outlive their queue");
         self.account(finished)
     }
 

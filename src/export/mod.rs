@@ -3,10 +3,8 @@
 
 mod encoders;
 mod pattern;
-mod sink;
 
 pub use pattern::{OutPattern, PatternError};
-pub use sink::{PngSink, WriteError, place};
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -17,6 +15,7 @@ use encoders::Encoders;
 use glam::UVec2;
 
 use crate::frame::{Clock, FrameInput};
+use crate::output::WriteError;
 use crate::render::{Gpu, GpuError, ReadBack, Renderer, Target, Watchdog};
 
 /// Frames under way at once: one being drawn, one being read back, one waiting in between.

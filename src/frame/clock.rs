@@ -231,7 +231,10 @@ mod tests {
     #[test]
     fn a_fixed_clock_crosses_midnight_and_survives_absurd_times() {
         let clock = Clock::fixed(1.0);
-        assert_eq!(clock.at(43_200, SIZE).date.to_array(), [2024.0, 0.0, 2.0, 0.0]);
+        assert_eq!(
+            clock.at(43_200, SIZE).date.to_array(),
+            [2024.0, 0.0, 2.0, 0.0]
+        );
         assert_eq!(clock.at_time(1e300, SIZE).date.x, 2024.0);
     }
 
@@ -242,7 +245,10 @@ mod tests {
         assert_eq!((first.time, first.frame), (0.0, 0));
         assert_eq!(first.time_delta, (1.0 / 60.0) as f32);
         let second = live.after(0.5);
-        assert_eq!((second.time, second.time_delta, second.frame), (0.5, 0.5, 1));
+        assert_eq!(
+            (second.time, second.time_delta, second.frame),
+            (0.5, 0.5, 1)
+        );
     }
 
     #[test]

@@ -18,7 +18,10 @@ impl FrameImage {
     /// # Panics
     /// When the pixel lies outside the picture.
     pub fn pixel(&self, x: u32, y: u32) -> [u8; 3] {
-        assert!(x < self.size.x && y < self.size.y, "pixel outside the picture");
+        assert!(
+            x < self.size.x && y < self.size.y,
+            "pixel outside the picture"
+        );
         let at = 3 * (y as usize * self.size.x as usize + x as usize);
         [self.rgb[at], self.rgb[at + 1], self.rgb[at + 2]]
     }

@@ -134,7 +134,9 @@ mod tests {
     fn mip_levels_are_means() {
         let base = Texels {
             size: 2,
-            rgba: vec![0, 10, 20, 255, 4, 10, 20, 255, 8, 10, 20, 255, 12, 11, 20, 255],
+            rgba: vec![
+                0, 10, 20, 255, 4, 10, 20, 255, 8, 10, 20, 255, 12, 11, 20, 255,
+            ],
         };
         let levels = mip_chain(base);
         assert_eq!(levels.len(), 2);

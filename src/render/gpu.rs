@@ -127,7 +127,10 @@ pub struct Gpu {
 impl Gpu {
     /// Opens an adapter for drawing without a window.
     pub fn headless(choice: &AdapterChoice) -> Result<Self, GpuError> {
-        let (_, adapter) = pick(choice, None)?;
+        let (_, adapter) = pick(choice, &|backends| {
+            let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+            Ok((instance(descriptor, backends), None))
+        })?;
         Gpu::open(&adapter)
     }
 
@@ -139,12 +142,13 @@ impl Gpu {
             required_limits: adapter.limits(),
             ..Default::default()
         };
-        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(
-            |error| GpuError::NoDevice {
-                adapter: info.name.clone(),
-                message: error.to_string(),
-            },
-        )?;
+        let (device, queue) =
+            pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
+                GpuError::NoDevice {
+                    adapter: info.name.clone(),
+                    message: error.to_string(),
+                }
+            })?;
         let faults = Faults::default();
         let uncaptured = Arc::clone(&faults);
         device.on_uncaptured_error(Arc::new(move |error| {
@@ -273,18 +277,23 @@ fn describe(info: &wgpu::AdapterInfo) -> String {
     }
 }
 
-/// Finds an adapter, and the instance that it came from; with `window` one that can present to it.
+/// Opens the instance for some backends, and the window's surface if there is a window.
+pub(super) type Opening<'a> =
+    &'a dyn Fn(
+        wgpu::Backends,
+    ) -> Result<(wgpu::Instance, Option<wgpu::Surface<'static>>), GpuError>;
+
+/// Finds an adapter that suits the choice and can present to the surface, if there is one.
 ///
 /// `WGPU_BACKEND` decides the backends. By default OpenGL is tried only when nothing better exists:
 /// starting it takes time.
 pub(super) fn pick(
     choice: &AdapterChoice,
-    window: Option<&dyn Fn(&wgpu::Instance) -> Result<wgpu::Surface<'static>, GpuError>>,
+    opening: Opening<'_>,
 ) -> Result<(Option<wgpu::Surface<'static>>, wgpu::Adapter), GpuError> {
     let mut found = Vec::new();
     for backends in backends() {
-        let instance = instance(backends);
-        let surface = window.map(|create| create(&instance)).transpose()?;
+        let (instance, surface) = opening(backends)?;
         let mut adapters = enumerate(&instance, backends);
         found.extend(adapters.iter().map(|adapter| adapter.get_info().name));
         adapters.retain(|adapter| {
@@ -317,8 +326,10 @@ fn backends() -> Vec<wgpu::Backends> {
     }
 }
 
-fn instance(backends: wgpu::Backends) -> wgpu::Instance {
-    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+pub(super) fn instance(
+    descriptor: wgpu::InstanceDescriptor,
+    backends: wgpu::Backends,
+) -> wgpu::Instance {
     wgpu::Instance::new(wgpu::InstanceDescriptor {
         backends,
         ..descriptor
@@ -393,7 +404,8 @@ pub struct AdapterSummary {
 pub fn adapters() -> Vec<AdapterSummary> {
     let mut summaries: Vec<AdapterSummary> = Vec::new();
     for backends in backends() {
-        for adapter in enumerate(&instance(backends), backends) {
+        let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+        for adapter in enumerate(&instance(descriptor, backends), backends) {
             let info = adapter.get_info();
             let features = adapter.features();
             summaries.push(AdapterSummary {

@@ -9,12 +9,16 @@
 mod channel;
 mod gpu;
 mod pass;
+#[cfg(feature = "window")]
+mod present;
 mod read_back;
 mod target;
 mod watchdog;
 
 pub use gpu::{AdapterChoice, AdapterSummary, Gpu, GpuError, adapters};
 pub use pass::PassLayout;
+#[cfg(feature = "window")]
+pub use present::{Presented, Presenter};
 pub use read_back::{ReadBack, Slot, Transferred};
 pub use target::Target;
 pub use watchdog::Watchdog;

@@ -82,6 +82,13 @@ impl Slot {
         })
     }
 
+    /// Asks for what `target` holds now, without drawing it again.
+    pub fn copy_of(&mut self, gpu: &Gpu, target: &Target) {
+        let descriptor = wgpu::CommandEncoderDescriptor { label: None };
+        let encoder = gpu.device().create_command_encoder(&descriptor);
+        self.copy(gpu, encoder, target);
+    }
+
     /// Adds the copy to `encoder`, submits it and asks for the result.
     pub(super) fn copy(&mut self, gpu: &Gpu, mut encoder: wgpu::CommandEncoder, target: &Target) {
         debug_assert_eq!(self.size, target.size(), "a slot is made for one size");
@@ -105,10 +112,11 @@ impl Slot {
         self.submission = Some(gpu.queue().submit([encoder.finish()]));
         self.state.store(PENDING, Ordering::Release);
         let state = Arc::clone(&self.state);
-        self.buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            let outcome = if result.is_ok() { MAPPED } else { FAILED };
-            state.store(outcome, Ordering::Release);
-        });
+        self.buffer
+            .map_async(wgpu::MapMode::Read, .., move |result| {
+                let outcome = if result.is_ok() { MAPPED } else { FAILED };
+                state.store(outcome, Ordering::Release);
+            });
     }
 
     /// Waits a moment for the picture; `false` means that it is still being drawn.
@@ -120,7 +128,9 @@ impl Slot {
         gpu.check()?;
         match (self.state.load(Ordering::Acquire), poll) {
             (MAPPED, _) => Ok(true),
-            (FAILED, _) => Err(GpuError::Lost("a picture could not be read back".to_owned())),
+            (FAILED, _) => Err(GpuError::Lost(
+                "a picture could not be read back".to_owned(),
+            )),
             (_, Ok(_) | Err(wgpu::PollError::Timeout)) => Ok(false),
             (_, Err(error)) => Err(GpuError::Lost(error.to_string())),
         }
@@ -137,8 +147,12 @@ impl Slot {
                 .map_err(|error| GpuError::Lost(error.to_string()))?;
             let row = 4 * self.size.x as usize;
             image.size = self.size;
-            image.rgb.resize(3 * (self.size.x * self.size.y) as usize, 0);
-            let rows = mapped.chunks(self.stride as usize).take(self.size.y as usize);
+            image
+                .rgb
+                .resize(3 * (self.size.x * self.size.y) as usize, 0);
+            let rows = mapped
+                .chunks(self.stride as usize)
+                .take(self.size.y as usize);
             let out = image.rgb.chunks_exact_mut(3 * self.size.x as usize);
             for (from, to) in rows.zip(out.rev()) {
                 for (from, to) in from[..row].chunks_exact(4).zip(to.chunks_exact_mut(3)) {

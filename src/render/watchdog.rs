@@ -130,7 +130,9 @@ mod tests {
         let limit = Duration::from_millis(30);
         let watchdog = Watchdog::start(Some(limit), |_| {}, move |t| sender.send(t).unwrap());
         watchdog.begin();
-        let late = receiver.recv_timeout(Duration::from_secs(60)).expect("a report");
+        let late = receiver
+            .recv_timeout(Duration::from_secs(60))
+            .expect("a report");
         assert!(late >= limit);
         assert!(receiver.try_recv().is_err(), "once");
     }

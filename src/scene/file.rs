@@ -12,11 +12,7 @@ pub(super) fn load(loading: &mut Loading, path: &Path) -> Result<Parts, Failure>
     single(&loading.files, &stem.to_string_lossy(), file)
 }
 
-pub(super) fn load_text(
-    loading: &mut Loading,
-    name: &str,
-    bytes: &[u8],
-) -> Result<Parts, Failure> {
+pub(super) fn load_text(loading: &mut Loading, name: &str, bytes: &[u8]) -> Result<Parts, Failure> {
     let file = loading.accept(name, bytes)?;
     single(&loading.files, name.trim_matches(['<', '>']), file)
 }

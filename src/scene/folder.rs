@@ -1,7 +1,7 @@
 //! A folder: `scene.toml` names the texts and what is bound to the channels. Without one,
 //! `image.glsl` is the Image pass and `common.glsl`, if present, its Common.
 
-use std::path::Path;
+use std::path::{Component, Path, PathBuf};
 
 use serde::Deserialize;
 use toml::Spanned;
@@ -43,8 +43,13 @@ struct ImageEntry {
 
 impl ImageEntry {
     fn channels(&self) -> [Option<Channel>; CHANNELS] {
-        [&self.channel0, &self.channel1, &self.channel2, &self.channel3]
-            .map(|entry| entry.as_ref().map(ChannelEntry::channel))
+        [
+            &self.channel0,
+            &self.channel1,
+            &self.channel2,
+            &self.channel3,
+        ]
+        .map(|entry| entry.as_ref().map(ChannelEntry::channel))
     }
 }
 
@@ -90,9 +95,10 @@ impl ChannelEntry {
 pub(super) fn load(loading: &mut Loading, folder: &Path) -> Result<Parts, Failure> {
     // The folder's own name, also when it was given as `.`.
     let real = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
-    let folder_name = real
-        .file_name()
-        .map_or_else(|| "scene".into(), |name| name.to_string_lossy().into_owned());
+    let folder_name = real.file_name().map_or_else(
+        || "scene".into(),
+        |name| name.to_string_lossy().into_owned(),
+    );
     let manifest = folder.join(MANIFEST);
     if loading.exists(&manifest) {
         return from_manifest(loading, folder, &manifest, folder_name);
@@ -141,7 +147,12 @@ fn from_manifest(
         sources.push(referred(loading, folder, id, entry)?);
     }
     let channels = manifest.image.channels();
-    image_scene(loading, manifest.name.unwrap_or(folder_name), sources, channels)
+    image_scene(
+        loading,
+        manifest.name.unwrap_or(folder_name),
+        sources,
+        channels,
+    )
 }
 
 /// Reads a file that the manifest names. A manifest may come from anywhere, so it reaches no further
@@ -154,20 +165,27 @@ fn referred(
 ) -> Result<FileId, Failure> {
     let place = span(manifest, entry.span());
     let name = entry.get_ref();
-    let path = folder.join(name);
+    let path = without_detours(&folder.join(name));
     let root = folder.join("..");
     if Path::new(name).is_absolute() || !loading.lies_within(&path, &root) {
-        return Err(Diagnostic::error("manifest", format!("`{name}` lies outside the scene"))
-            .at(place)
-            .hint("name a file in the scene folder or in a folder beside it, by a relative path")
-            .into());
+        return Err(
+            Diagnostic::error("manifest", format!("`{name}` lies outside the scene"))
+                .at(place)
+                .hint(
+                    "name a file in the scene folder or in a folder beside it, by a relative path",
+                )
+                .into(),
+        );
     }
     if !loading.exists(&path) {
         loading.depends_on(&path);
-        return Err(Diagnostic::error("manifest", format!("there is no file `{}`", path.display()))
-            .at(place)
-            .hint("paths are relative to the folder of scene.toml")
-            .into());
+        return Err(Diagnostic::error(
+            "manifest",
+            format!("there is no file `{}`", path.display()),
+        )
+        .at(place)
+        .hint("paths are relative to the folder of scene.toml")
+        .into());
     }
     loading.read(&path)
 }
@@ -192,6 +210,25 @@ fn image_scene(
     })
 }
 
+/// Leaves out of a path what cancels out, `a/../b` for `b`, so that messages read well. Only where
+/// `a` is a real folder: behind a symbolic link, `..` leads elsewhere.
+fn without_detours(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for part in path.components() {
+        let cancels = part == Component::ParentDir
+            && matches!(plain.components().next_back(), Some(Component::Normal(_)))
+            && !plain.is_symlink();
+        match part {
+            Component::CurDir => {}
+            _ if cancels => {
+                plain.pop();
+            }
+            part => plain.push(part),
+        }
+    }
+    plain
+}
+
 fn span(file: FileId, range: std::ops::Range<usize>) -> Span {
     let offset = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
     Span {
@@ -201,7 +238,7 @@ fn span(file: FileId, range: std::ops::Range<usize>) -> Span {
     }
 }
 
-/// The text of an embedded file; `path` is relative to `shadertoy/`, and `..` is understood.
+/// The text of an embedded file; `path` is relative to `shadertoy/`.
 pub(super) fn embedded(path: &Path) -> Option<&'static str> {
     macro_rules! table {
         ($($name:literal),* $(,)?) => {
@@ -210,12 +247,22 @@ pub(super) fn embedded(path: &Path) -> Option<&'static str> {
     }
     const FILES: &[(&str, &str)] = &table![
         "template/scene.toml",
+        "common/settings.glsl",
+        "common/noise.glsl",
+        "common/fbm.glsl",
+        "common/levels.glsl",
+        "common/march.glsl",
+        "common/normal.glsl",
+        "common/shadow.glsl",
+        "common/material.glsl",
+        "common/lighting.glsl",
+        "common/atmosphere.glsl",
+        "common/path.glsl",
+        "common/camera.glsl",
         "template/image.glsl",
     ];
-    let path = path.to_str()?.replace('\\', "/");
-    let path = path.replace("template/../", "");
     FILES
         .iter()
-        .find(|(name, _)| *name == path)
+        .find(|(name, _)| Path::new(name) == path)
         .map(|(_, text)| *text)
 }

@@ -169,27 +169,30 @@ impl Loading {
         }
         match std::str::from_utf8(bytes) {
             Ok(text) if !text.contains('\0') => Ok(self.files.add(name, text)),
-            Ok(_) => Err(self.not_text(name, bytes, "binary", "this is a binary file, not GLSL text")),
+            Ok(_) => Err(self.not_text(
+                name,
+                bytes,
+                "binary",
+                "this is a binary file, not GLSL text",
+            )),
             // Text in an old encoding has stray high bytes; control characters mean something else.
-            Err(_) if bytes.iter().any(|&byte| byte < 0x09) => {
-                Err(self.not_text(name, bytes, "binary", "this is a binary file, not GLSL text"))
-            }
+            Err(_) if bytes.iter().any(|&byte| byte < 0x09) => Err(self.not_text(
+                name,
+                bytes,
+                "binary",
+                "this is a binary file, not GLSL text",
+            )),
             Err(error) => {
                 let bad = bytes[error.valid_up_to()];
-                let message = format!("the text is not UTF-8: byte 0x{bad:02x} begins no character");
+                let message =
+                    format!("the text is not UTF-8: byte 0x{bad:02x} begins no character");
                 Err(self.not_text(name, bytes, "not-utf8", &message))
             }
         }
     }
 
     /// An error at the first byte that is not text. The file is kept up to there, for the excerpt.
-    fn not_text(
-        &mut self,
-        name: &str,
-        bytes: &[u8],
-        code: &'static str,
-        message: &str,
-    ) -> Failure {
+    fn not_text(&mut self, name: &str, bytes: &[u8], code: &'static str, message: &str) -> Failure {
         let readable = match code {
             "not-utf8" => std::str::from_utf8(bytes).map_or_else(|e| e.valid_up_to(), str::len),
             _ => 0,

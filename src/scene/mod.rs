@@ -34,7 +34,9 @@ pub struct Scene {
 impl Scene {
     /// The pass whose colour is the picture.
     pub fn image(&self) -> &Pass {
-        self.passes.last().expect("a loaded scene has an Image pass")
+        self.passes
+            .last()
+            .expect("a loaded scene has an Image pass")
     }
 }
 

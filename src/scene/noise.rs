@@ -20,10 +20,7 @@ pub fn noise_texture() -> Vec<u8> {
     for y in 0..NOISE_SIZE {
         for x in 0..NOISE_SIZE {
             let here = index(x, y);
-            let behind = index(
-                x + NOISE_SIZE - SHIFT.0,
-                y + NOISE_SIZE - SHIFT.1,
-            );
+            let behind = index(x + NOISE_SIZE - SHIFT.0, y + NOISE_SIZE - SHIFT.1);
             rgba.extend([red[here], red[behind], blue[here], blue[behind]]);
         }
     }
@@ -101,22 +98,29 @@ mod tests {
             }
             let variance = (256.0 * 256.0 - 1.0) / 12.0;
             let correlation = sum / f64::from(NOISE_SIZE * NOISE_SIZE) / variance;
-            assert!(correlation.abs() < 0.016, "{correlation}: four standard deviations");
+            assert!(
+                correlation.abs() < 0.016,
+                "{correlation}: four standard deviations"
+            );
         }
     }
 
     #[test]
     fn the_bytes_are_the_same_everywhere() {
-        let fnv = noise_texture().iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, &byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-        });
+        let fnv = noise_texture()
+            .iter()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, &byte| {
+                (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+            });
         assert_eq!(fnv, 0, "FNV-1a of the texture");
     }
 
     /// The seed's `noise3D`, as the GPU evaluates it with linear filtering.
     fn noise_3d(rgba: &[u8], x: [f64; 3]) -> f64 {
         let p = x.map(f64::floor);
-        let f = [0, 1, 2].map(|i| x[i] - p[i]).map(|f| f * f * (3.0 - 2.0 * f));
+        let f = [0, 1, 2]
+            .map(|i| x[i] - p[i])
+            .map(|f| f * f * (3.0 - 2.0 * f));
         let uv = [p[0] + 37.0 * p[2] + f[0], p[1] + 17.0 * p[2] + f[1]];
         let cell = uv.map(f64::floor);
         let t = [uv[0] - cell[0], uv[1] - cell[1]];
@@ -140,7 +144,10 @@ mod tests {
             for (x, y) in [(0.3, 0.7), (-5.5, 100.25), (255.9, 255.1)] {
                 let below = noise_3d(&rgba, [x, y, f64::from(z) - 1e-6]);
                 let above = noise_3d(&rgba, [x, y, f64::from(z) + 1e-6]);
-                assert!((below - above).abs() < 1e-6, "z = {z}: {below} then {above}");
+                assert!(
+                    (below - above).abs() < 1e-6,
+                    "z = {z}: {below} then {above}"
+                );
             }
         }
     }

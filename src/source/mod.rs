@@ -115,7 +115,11 @@ mod tests {
     #[test]
     fn a_column_is_a_character() {
         assert_eq!(at("äb", 2), (1, 2));
-        assert_eq!(at("äb", 1), (1, 1), "inside a character gives that character");
+        assert_eq!(
+            at("äb", 1),
+            (1, 1),
+            "inside a character gives that character"
+        );
     }
 
     #[test]

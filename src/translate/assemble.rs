@@ -143,7 +143,11 @@ mod tests {
         assert!(!none.text.contains("uniform"), "{}", none.text);
         let (_, some) = assembly("iTime iChannel2 /* iMouse */");
         assert!(some.text.contains("{ float iTime; }"), "{}", some.text);
-        assert!(some.text.contains("binding = 5) uniform texture2D"), "{}", some.text);
+        assert!(
+            some.text.contains("binding = 5) uniform texture2D"),
+            "{}",
+            some.text
+        );
         assert!(!some.text.contains("iChannel0"), "{}", some.text);
     }
 

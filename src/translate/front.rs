@@ -90,7 +90,10 @@ fn refusals(assembly: &Assembly, errors: &[Error]) -> Vec<Diagnostic> {
             Some(span) => refusal(assembly, &error.kind, range).at(span),
             None => at_the_end(assembly, &error.kind).at(assembly.end()),
         };
-        if diagnostics.iter().all(|known| known.span != diagnostic.span) {
+        if diagnostics
+            .iter()
+            .all(|known| known.span != diagnostic.span)
+        {
             diagnostics.push(diagnostic);
         }
     }
@@ -106,8 +109,11 @@ fn at_the_end(assembly: &Assembly, kind: &ErrorKind) -> Diagnostic {
             } else {
                 "ShaderToy code draws in `void mainImage(out vec4 fragColor, in vec2 fragCoord)`"
             };
-            Diagnostic::error("no-main-image", "there is no `mainImage(out vec4, in vec2)`")
-                .hint(hint)
+            Diagnostic::error(
+                "no-main-image",
+                "there is no `mainImage(out vec4, in vec2)`",
+            )
+            .hint(hint)
         }
         ErrorKind::SemanticError(message) if message == "Function already defined" => {
             Diagnostic::error("redeclared", "there is a function `main`")
@@ -192,8 +198,9 @@ fn semantic(message: &str) -> Diagnostic {
             format!("there is no function `{name}` for these arguments"),
         );
         return match name {
-            "texture2D" | "textureCube" | "texture2DLod" => diagnostic
-                .hint("GLSL ES 3.00 calls it `texture`, or `textureLod` with a level"),
+            "texture2D" | "textureCube" | "texture2DLod" => {
+                diagnostic.hint("GLSL ES 3.00 calls it `texture`, or `textureLod` with a level")
+            }
             _ => diagnostic
                 .hint("is it spelled right, defined above, and given arguments of its types?"),
         };
@@ -330,7 +337,9 @@ fn preprocessor(variant: &str) -> String {
         "DivisionByZero" | "RemainderByZero" => "division by zero in a directive",
         "IntegerOverflow" => "this number does not fit in 32 bits",
         "FloatParsingError" => "this is not a number",
-        "UnexpectedEndOfInput" | "UnexpectedNewLine" => "the directive or macro call ends too early",
+        "UnexpectedEndOfInput" | "UnexpectedNewLine" => {
+            "the directive or macro call ends too early"
+        }
         other => return format!("the preprocessor refuses this: {other}"),
     }
     .to_owned()

@@ -99,7 +99,11 @@ mod tests {
         let failure = guarded(|| -> u32 { panic!("no such {}\nthing", "type") }).err();
         let diagnostic = failure.expect("a failure").diagnostic();
         assert_eq!(diagnostic.code, "internal");
-        assert!(diagnostic.message.ends_with("no such type"), "{}", diagnostic.message);
+        assert!(
+            diagnostic.message.ends_with("no such type"),
+            "{}",
+            diagnostic.message
+        );
     }
 
     #[test]

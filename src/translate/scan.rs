@@ -167,12 +167,18 @@ mod tests {
 
     fn problem(text: &str) -> Option<&'static str> {
         let file = SourceMap::default().add("a", text);
-        scan(file, text).problems.first().map(|problem| problem.code)
+        scan(file, text)
+            .problems
+            .first()
+            .map(|problem| problem.code)
     }
 
     #[test]
     fn words_outside_comments_only() {
-        assert_eq!(words("a+b2 // c\n/* d\n*/ _e 3f 0x1u .5f"), ["_e", "a", "b2"]);
+        assert_eq!(
+            words("a+b2 // c\n/* d\n*/ _e 3f 0x1u .5f"),
+            ["_e", "a", "b2"]
+        );
         assert_eq!(words("// a \\\n b\nc // d \\\r\n e"), ["c"]);
         assert_eq!(words("ä/**/x"), ["x"]);
     }

@@ -32,8 +32,11 @@ pub fn write(program: &Program, language: Language) -> Result<Vec<u8>, Diagnosti
     })
     .unwrap_or_else(|failure| Err(failure.diagnostic().message))
     .map_err(|message| {
-        Diagnostic::error("unwritable", format!("{language:?} cannot express this: {message}"))
-            .hint("try another language; `--to spirv` is what Vulkan is given")
+        Diagnostic::error(
+            "unwritable",
+            format!("{language:?} cannot express this: {message}"),
+        )
+        .hint("try another language; `--to spirv` is what Vulkan is given")
     })
 }
 

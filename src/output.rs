@@ -1,3 +1,5 @@
+//! Files that appear whole or not at all.
+
 use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};

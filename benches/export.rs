@@ -1,0 +1,134 @@
+//! What exporting costs on top of drawing.
+//!
+//! Two questions, each answered in one run, interleaved, with medians:
+//!
+//! - a trivial gradient, 1280×720, 120 frames: an export against a bare loop that renders and throws
+//!   away;
+//! - the terrain template, 640×360, 60 frames: the export's wall time against the GPU's own time.
+//!
+//! Run it with `cargo bench --bench export`. It draws with the default adapter, or with the one that
+//! `WGPU_ADAPTER_NAME` names.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use glam::UVec2;
+use vitrine::export::{Frames, Job, OutPattern, Summary, export};
+use vitrine::frame::Clock;
+use vitrine::render::{AdapterChoice, Gpu, Target, Watchdog};
+use vitrine::scene::Source;
+use vitrine::session::Session;
+
+const REPEATS: usize = 7;
+
+const GRADIENT: &str = "void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    fragColor = vec4(fragCoord / iResolution.xy, 0.5 + 0.5 * sin(iTime), 1.0);
+}";
+
+fn main() {
+    // `cargo test --benches` passes a flag that asks for a quick look only.
+    if std::env::args().any(|argument| argument == "--test") {
+        return;
+    }
+    let gpu = Gpu::headless(&AdapterChoice::Auto).expect("a graphics adapter");
+    println!("{}", gpu.describe());
+    gradient(&gpu);
+    template(&gpu);
+}
+
+fn gradient(gpu: &Gpu) {
+    let source = Source::Text {
+        name: "gradient".to_owned(),
+        bytes: GRADIENT.into(),
+    };
+    let session = Session::open(gpu, &source).expect("a scene that runs");
+    let (size, frames) = (UVec2::new(1280, 720), 120);
+    bare_loop(gpu, &session, size, 10);
+    let (mut bare, mut exported) = (Vec::new(), Vec::new());
+    for _ in 0..REPEATS {
+        bare.push(bare_loop(gpu, &session, size, frames).as_secs_f64());
+        exported.push(
+            exported_once(gpu, &session, size, frames, false)
+                .0
+                .as_secs_f64(),
+        );
+    }
+    let (bare, exported) = (median(bare), median(exported));
+    println!("gradient, 1280x720, {frames} frames, median of {REPEATS}");
+    println!(
+        "  bare loop  {:7.2} ms a frame",
+        1e3 * bare / f64::from(frames)
+    );
+    println!(
+        "  export     {:7.2} ms a frame",
+        1e3 * exported / f64::from(frames)
+    );
+    println!("  ratio      {:7.2}", exported / bare);
+}
+
+fn template(gpu: &Gpu) {
+    let source = Source::Embedded;
+    let session = Session::open(gpu, &source).expect("the embedded scene runs");
+    let (size, frames) = (UVec2::new(640, 360), 60);
+    // The driver's late compilation belongs to the start-up.
+    exported_once(gpu, &session, size, 1, true);
+    let (mut walls, mut ratios) = (Vec::new(), Vec::new());
+    for _ in 0..3 {
+        let (wall, summary) = exported_once(gpu, &session, size, frames, true);
+        walls.push(wall.as_secs_f64());
+        if let Some(seconds) = summary.gpu_seconds {
+            ratios.push(wall.as_secs_f64() / seconds);
+        }
+    }
+    println!("template, 640x360, {frames} frames, median of 3");
+    println!("  export     {:7.2} s", median(walls));
+    match ratios.is_empty() {
+        true => println!("  this adapter cannot time itself"),
+        false => println!("  wall / GPU {:7.3}", median(ratios)),
+    }
+}
+
+/// Draws frames one after the other, waits for them and looks at none.
+fn bare_loop(gpu: &Gpu, session: &Session, size: UVec2, frames: u32) -> Duration {
+    let target = Target::new(gpu, size).expect("a size that the adapter draws");
+    let clock = Clock::fixed(60.0);
+    let start = Instant::now();
+    for frame in 0..frames {
+        let input = clock.at(frame, size);
+        session.renderer.render(gpu, &input, &target, None);
+        gpu.wait().expect("a frame that ends");
+    }
+    start.elapsed()
+}
+
+fn exported_once(
+    gpu: &Gpu,
+    session: &Session,
+    size: UVec2,
+    frames: u32,
+    timed: bool,
+) -> (Duration, Summary) {
+    let folder = tempfile::tempdir().expect("room for the frames");
+    let job = Job {
+        frames: Frames::Range(0..frames),
+        fps: 60.0,
+        size,
+        out: pattern(folder.path()),
+        overwrite: false,
+        timed,
+    };
+    let watchdog = Watchdog::start(None, |_| {}, |_| {});
+    let start = Instant::now();
+    let summary = export(gpu, &session.renderer, &job, &watchdog, &mut |_| true);
+    (start.elapsed(), summary.expect("an export that succeeds"))
+}
+
+fn pattern(folder: &Path) -> OutPattern {
+    let escaped = folder.display().to_string().replace('%', "%%");
+    OutPattern::parse(&format!("{escaped}/%05d.png")).expect("a pattern")
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}

@@ -1,0 +1,38 @@
+use std::process::ExitCode;
+
+use glam::UVec2;
+use vitrine::scene::Source;
+use vitrine::window::{self, Options, PlayError};
+
+use super::opening::{adapter_choice, explain, gpu_failure, watchdog};
+use super::{SCENE_HAS_PROBLEMS, Translation, failure, show, source, translated};
+use crate::cli::RunArgs;
+
+pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
+    let source = match &args.scene {
+        Some(path) => source(path)?,
+        None => Source::Embedded,
+    };
+    // A scene that cannot run is told about before a window opens and closes again.
+    if let Translation::Problems(report) = translated(&source)? {
+        show(&report);
+        return Ok(SCENE_HAS_PROBLEMS.into());
+    }
+    let options = Options {
+        source,
+        size: UVec2::new(args.size.width, args.size.height),
+        scale: args.scale,
+        fps_limit: args.fps_limit,
+        watch: !args.no_watch,
+        adapter: adapter_choice(&args.gpu),
+    };
+    match window::play(options, watchdog(&args.gpu)) {
+        Ok(()) => Ok(ExitCode::SUCCESS),
+        Err(PlayError::Open(error)) => explain(error).map(Into::into),
+        Err(PlayError::Gpu(error)) => Err(gpu_failure(&error)),
+        Err(PlayError::Window(message)) => Err(failure(
+            format!("no window can be opened: {message}"),
+            "is there a display? `vitrine export` draws to files without one",
+        )),
+    }
+}
