@@ -1,8 +1,22 @@
 //! Vitrine runs ShaderToy GLSL: unchanged, live and frame by frame.
+//!
+//! A scene goes through the same four steps wherever it is drawn:
+//!
+//! ```text
+//! path ─load─► Scene ─translate─► Program(s) ─build─► Renderer ─render(FrameInput)─► FrameImage
+//! ```
+//!
+//! [`scene::load`] reads it, [`translate::translate`] turns its GLSL into validated naga IR,
+//! [`render::Renderer`] draws it with wgpu; [`session::Session`] is all three, and [`export`] and
+//! [`window`] are what it is for. What is wrong with a scene comes back as
+//! [`source::Diagnostic`]s that point into the author's own files; [`report`] draws them.
+//!
+//! Without the feature `gpu` the steps up to [`translate`] remain, for checking scenes where nothing
+//! can be drawn. `docs/ARCHITECTURE.md` explains the rooms and which of them may use which.
+
 #[cfg(feature = "gpu")]
 pub mod export;
 pub mod frame;
-#[cfg(feature = "gpu")]
 pub mod output;
 #[cfg(feature = "gpu")]
 pub mod render;

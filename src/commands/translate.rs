@@ -2,6 +2,7 @@ use std::io::{IsTerminal as _, Write as _};
 use std::process::ExitCode;
 
 use anyhow::Context as _;
+use vitrine::output;
 use vitrine::source::Report;
 use vitrine::translate::{self, Language};
 
@@ -43,7 +44,7 @@ pub fn translate(args: TranslateArgs) -> anyhow::Result<ExitCode> {
         }
     };
     match &args.out {
-        Some(path) => std::fs::write(path, &text)
+        Some(path) => output::place(path, &text, true)
             .with_context(|| format!("cannot write `{}`", path.display()))?,
         None => std::io::stdout()
             .write_all(&text)

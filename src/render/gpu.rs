@@ -1,4 +1,3 @@
-use std::panic::{self, AssertUnwindSafe};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
@@ -232,17 +231,14 @@ impl Gpu {
             wgpu::ErrorFilter::Validation,
         ]
         .map(|filter| self.device.push_error_scope(filter));
-        let result = panic::catch_unwind(AssertUnwindSafe(work));
+        let result = crate::translate::caught(work);
         let mut error = None;
         for scope in scopes.into_iter().rev() {
             error = error.or(pollster::block_on(scope.pop()));
         }
         match (result, error) {
             (Ok(value), None) => Ok(value),
-            (Err(_), None) => Err(GpuError::Refused {
-                doing,
-                message: "the writer for this driver stopped".to_owned(),
-            }),
+            (Err(message), None) => Err(GpuError::Refused { doing, message }),
             (_, Some(error)) => Err(from_wgpu(error, doing)),
         }
     }

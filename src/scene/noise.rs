@@ -112,7 +112,7 @@ mod tests {
             .fold(0xcbf2_9ce4_8422_2325_u64, |hash, &byte| {
                 (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
             });
-        assert_eq!(fnv, 0, "FNV-1a of the texture");
+        assert_eq!(fnv, 0xedba_0e2d_f5a0_4629, "FNV-1a of the texture");
     }
 
     /// The seed's `noise3D`, as the GPU evaluates it with linear filtering.

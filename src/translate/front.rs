@@ -54,7 +54,7 @@ fn block_depth(body: &naga::Block) -> usize {
     while let Some((block, depth)) = open.pop() {
         deepest = deepest.max(depth);
         let mut nested = |inner| open.push((inner, depth + 1));
-        for statement in block.iter() {
+        for statement in block {
             match statement {
                 naga::Statement::Block(inner) => nested(inner),
                 naga::Statement::If { accept, reject, .. } => {

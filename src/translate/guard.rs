@@ -43,23 +43,28 @@ impl Failure {
 pub(super) fn guarded<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
 ) -> Result<T, Failure> {
-    silence_panics();
     let (sender, receiver) = mpsc::channel();
     thread::Builder::new()
         .name("translate".to_owned())
         .stack_size(STACK_BYTES)
         .spawn(move || {
-            GUARDED.set(true);
-            let result = panic::catch_unwind(AssertUnwindSafe(work));
             // The receiver is gone when the time limit has passed.
-            let _ = sender.send(result);
+            let _ = sender.send(caught(work));
         })
         .map_err(Failure::NoThread)?;
     match receiver.recv_timeout(TIME_LIMIT) {
-        Ok(Ok(result)) => Ok(result),
-        Ok(Err(payload)) => Err(Failure::Panic(message(payload.as_ref()))),
+        Ok(result) => result.map_err(Failure::Panic),
         Err(_) => Err(Failure::TimeLimit),
     }
+}
+
+/// Runs `work`; if it panics, returns the message instead of printing it.
+pub(crate) fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+    silence_panics();
+    GUARDED.set(true);
+    let result = panic::catch_unwind(AssertUnwindSafe(work));
+    GUARDED.set(false);
+    result.map_err(|payload| message(payload.as_ref()))
 }
 
 thread_local! {

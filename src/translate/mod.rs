@@ -16,6 +16,8 @@ mod program;
 mod scan;
 mod write;
 
+#[cfg(feature = "gpu")]
+pub(crate) use guard::caught;
 pub use program::{ChannelUse, Functions, Program, UniformBlock};
 pub use write::{Language, write};
 

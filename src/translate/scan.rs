@@ -189,7 +189,8 @@ mod tests {
         assert_eq!(problem(&"(".repeat(251)), Some("too-deep"));
         assert_eq!(problem(&"-".repeat(30_000)), Some("too-deep"));
         assert_eq!(problem(&"for(;;)".repeat(9_000)), Some("too-deep"));
-        assert_eq!(problem(&"else if (a) {}".repeat(2_001)), Some("too-deep"));
+        let ladder = format!("void f() {{ {} }}", "else if (a) {}".repeat(2_001));
+        assert_eq!(problem(&ladder), Some("too-deep"));
     }
 
     #[test]

@@ -156,15 +156,25 @@ impl App {
         }
     }
 
-    /// Draws a frame if it is time for one.
-    fn draw(&mut self) -> Result<(), PlayError> {
+    /// Lets the GPU's finished work call back.
+    fn glance(&mut self) -> Result<(), PlayError> {
+        if let Some(stage) = &self.stage {
+            stage.gpu.poll();
+            stage.gpu.check()?;
+        }
+        Ok(())
+    }
+
+    /// Draws a frame if it is time for one, and fills the window.
+    fn redraw(&mut self) -> Result<(), PlayError> {
         let Some(stage) = &mut self.stage else {
             return Ok(());
         };
-        stage.gpu.poll();
-        stage.gpu.check()?;
         let now = Instant::now();
         if !stage.wants_frame(&self.clock, now) {
+            if self.clock.is_paused() && stage.shown.is_some() {
+                stage.presenter.present(&stage.gpu, &stage.target)?;
+            }
             return Ok(());
         }
         let mut input = self.clock.tick(stage.target.size());
@@ -421,7 +431,7 @@ impl ApplicationHandler<Wake> for App {
     }
 
     fn new_events(&mut self, event_loop: &ActiveEventLoop, _cause: StartCause) {
-        if let Err(error) = self.draw() {
+        if let Err(error) = self.glance() {
             self.fail(event_loop, error);
         }
     }
@@ -446,7 +456,11 @@ impl ApplicationHandler<Wake> for App {
                     self.fail(event_loop, error);
                 }
             }
-            WindowEvent::RedrawRequested => self.input_came(),
+            WindowEvent::RedrawRequested => {
+                if let Err(error) = self.redraw() {
+                    self.fail(event_loop, error);
+                }
+            }
             WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
             WindowEvent::KeyboardInput {
                 event:
@@ -496,9 +510,12 @@ impl ApplicationHandler<Wake> for App {
         }
         let moving = !self.clock.is_paused() || stage.stale;
         event_loop.set_control_flow(match (moving, busy) {
-            (true, _) if stage.wants_frame(&self.clock, now) => ControlFlow::Poll,
-            (true, false) => ControlFlow::WaitUntil(stage.next_frame),
+            (true, _) if stage.wants_frame(&self.clock, now) => {
+                stage.window.request_redraw();
+                ControlFlow::Wait
+            }
             (_, true) => ControlFlow::WaitUntil(now + GLANCE),
+            (true, false) => ControlFlow::WaitUntil(stage.next_frame),
             (false, false) => ControlFlow::Wait,
         });
     }

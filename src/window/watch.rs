@@ -131,7 +131,7 @@ mod tests {
         let file = folder.path().join(name);
         fs::write(&file, "a").unwrap();
         let (sender, changes) = mpsc::channel();
-        let mut watch = FileWatch::start(move |at| drop(sender.send(at))).unwrap();
+        let mut watch = FileWatch::start(move |at| sender.send(at).unwrap_or(())).unwrap();
         watch.follow(std::slice::from_ref(&file));
         let watched = Watched {
             folder,
