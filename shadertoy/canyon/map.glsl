@@ -5,8 +5,9 @@ float canyonCentre(float z) {
 }
 
 // The walls rise from the river bed in three terraces to a plateau of low hills. Noise
-// moves the walls to and fro, which makes bays and buttresses, but leaves the flight its way. It is computed noise: on
-// so large a scale the steps of a texture's filter would show as flutes in the walls.
+// moves the walls to and fro, which makes bays and buttresses, but leaves the flight its
+// way. It is computed noise: on so large a scale the steps of a texture's filter would
+// show as flutes in the walls.
 float terrainM(vec2 p) {
     float n = 0.6 * noise(p * 0.035) + 0.28 * noise(p * 0.09) + 0.12 * noise(p * 0.21);
     float across = abs(p.x - canyonCentre(p.y));
