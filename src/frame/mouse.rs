@@ -38,6 +38,11 @@ impl Mouse {
         self.down = false;
     }
 
+    /// Whether the button is down.
+    pub fn is_down(&self) -> bool {
+        self.down
+    }
+
     /// What `iMouse` is in the frame about to be drawn. Does not change the state: call
     /// [`Mouse::frame_drawn`] once that frame was handed to the GPU.
     pub fn frame_value(&self) -> Vec4 {

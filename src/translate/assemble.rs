@@ -64,6 +64,11 @@ impl Assembly {
         })
     }
 
+    /// The same for a place that naga names.
+    pub fn locate_naga(&self, span: naga::Span) -> Option<Span> {
+        self.locate(span.to_range()?)
+    }
+
     /// The end of the author's text, where what is missing should have stood.
     pub fn end(&self) -> Option<Span> {
         let segment = self.segments.last()?;

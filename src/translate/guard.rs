@@ -6,7 +6,7 @@ use std::sync::{Once, mpsc};
 use std::thread;
 use std::time::Duration;
 
-use super::front;
+use super::refusal;
 use crate::source::Diagnostic;
 
 /// Reserved, not used: pages are taken only as recursion reaches them.
@@ -25,14 +25,14 @@ pub(super) enum Failure {
 impl Failure {
     pub fn diagnostic(&self) -> Diagnostic {
         match self {
-            Failure::Panic(message) => front::internal(message),
+            Failure::Panic(message) => refusal::internal(message),
             Failure::TimeLimit => Diagnostic::error(
                 "too-complex",
                 format!("translating takes longer than {} s", TIME_LIMIT.as_secs()),
             )
             .hint("macros that expand into each other are the usual cause"),
             Failure::NoThread(error) => {
-                front::internal(&format!("the system gives no thread: {error}"))
+                refusal::internal(&format!("the system gives no thread: {error}"))
             }
         }
     }

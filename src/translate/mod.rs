@@ -13,6 +13,7 @@ pub mod bindings;
 mod front;
 mod guard;
 mod program;
+mod refusal;
 mod scan;
 mod write;
 

@@ -70,7 +70,7 @@ impl Program {
         let all = function_names(&module);
         naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
         let info = super::front::validate(&module)
-            .map_err(|error| super::front::internal(&error.as_inner().to_string()))?;
+            .map_err(|error| super::refusal::internal(&error.as_inner().to_string()))?;
         let used = function_names(&module);
         let mut program = Program {
             kind,

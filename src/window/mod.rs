@@ -7,6 +7,7 @@
 mod app;
 mod input;
 mod picture;
+mod stage;
 mod title;
 mod watch;
 
@@ -74,6 +75,8 @@ enum Wake {
 /// The outcome of opening a scene on the side.
 #[derive(Debug)]
 struct Opened {
+    /// Counts the openings.
+    number: u64,
     source: Source,
     result: Result<Session, OpenError>,
     /// When the change was saved, if this follows one.

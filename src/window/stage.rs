@@ -1,0 +1,217 @@
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::{Duration, Instant};
+
+use glam::{DVec2, IVec2, UVec2};
+use winit::dpi::PhysicalSize;
+use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
+use winit::window::{Fullscreen, Window};
+
+use super::title::Title;
+use super::{Options, PlayError, Reload, Wake, input};
+use crate::frame::{Clock, FrameInput};
+use crate::render::{Gpu, Presented, Presenter, Target};
+use crate::session::Session;
+
+/// Frames handed to the GPU before waiting for the oldest.
+const FRAMES_UNDER_WAY: u32 = 2;
+
+/// When to try again after the window took no picture.
+const AFTER_SKIP: Duration = Duration::from_millis(16);
+
+/// How often the title bar is renewed while time runs.
+const TITLE_EVERY: Duration = Duration::from_millis(250);
+
+/// What exists once there is a window: the window, the GPU behind it, and the scene that is on.
+pub(super) struct Stage {
+    pub window: Arc<Window>,
+    pub gpu: Arc<Gpu>,
+    pub target: Target,
+    pub session: Session,
+    /// The latest frame that was drawn.
+    pub shown: Option<FrameInput>,
+    /// Whether a frame should be drawn although time stands still.
+    pub stale: bool,
+    /// When the next frame is due, at the earliest.
+    pub next_frame: Instant,
+    presenter: Presenter,
+    options: Options,
+    under_way: Arc<AtomicU32>,
+    /// The reload whose first frame is the next one.
+    fresh: Option<Reload>,
+    problem: Option<String>,
+    titled: Option<Instant>,
+}
+
+impl Stage {
+    /// Opens the window, an adapter that can draw to it, and the first scene.
+    pub fn open(event_loop: &ActiveEventLoop, options: &Options) -> Result<Self, PlayError> {
+        let UVec2 { x, y } = options.size;
+        let attributes = Window::default_attributes()
+            .with_title("Vitrine")
+            .with_inner_size(PhysicalSize::new(x, y));
+        let window = event_loop
+            .create_window(attributes)
+            .map_err(|error| PlayError::Window(error.to_string()))?;
+        let window = Arc::new(window);
+        let (gpu, presenter) = Presenter::open(
+            &options.adapter,
+            event_loop.owned_display_handle(),
+            Arc::clone(&window),
+            size_of(&window),
+        )?;
+        let target = Target::new(&gpu, picture_size(&gpu, &window, options.scale))?;
+        let session = Session::open(&gpu, &options.source).map_err(PlayError::Open)?;
+        Ok(Stage {
+            window,
+            gpu: Arc::new(gpu),
+            target,
+            session,
+            shown: None,
+            stale: true,
+            next_frame: Instant::now(),
+            presenter,
+            options: options.clone(),
+            under_way: Arc::default(),
+            fresh: None,
+            problem: None,
+            titled: None,
+        })
+    }
+
+    /// Whether the GPU is drawing.
+    pub fn is_busy(&self) -> bool {
+        self.under_way.load(Ordering::Relaxed) > 0
+    }
+
+    /// Whether a frame should be drawn now.
+    pub fn wants_frame(&self, clock: &Clock, now: Instant) -> bool {
+        let moving = !clock.is_paused() || self.stale;
+        let free = self.under_way.load(Ordering::Relaxed) < FRAMES_UNDER_WAY;
+        moving && free && now >= self.next_frame
+    }
+
+    /// Draws a frame and hands it to the window.
+    pub fn draw(
+        &mut self,
+        input: &FrameInput,
+        wakes: &EventLoopProxy<Wake>,
+    ) -> Result<(), PlayError> {
+        let started = Instant::now();
+        let renderer = &self.session.renderer;
+        renderer.render(&self.gpu, input, &self.target, None);
+        self.shown = Some(*input);
+        self.stale = false;
+        self.under_way.fetch_add(1, Ordering::Relaxed);
+        let under_way = Arc::clone(&self.under_way);
+        let first = self.fresh.take().map(|reload| (reload, wakes.clone()));
+        self.gpu.on_done(move || {
+            under_way.fetch_sub(1, Ordering::Relaxed);
+            if let Some((reload, wakes)) = first {
+                let took = started.elapsed();
+                // The loop is gone when the window is.
+                let _ = wakes.send_event(Wake::FirstFrame { reload, took });
+            }
+        });
+        self.window.pre_present_notify();
+        if self.presenter.present(&self.gpu, &self.target)? == Presented::Skipped {
+            self.stale = true;
+            self.next_frame = started + AFTER_SKIP;
+        } else if let Some(limit) = self.options.fps_limit {
+            let period = Duration::from_secs_f64(1.0 / limit);
+            self.next_frame = pace(self.next_frame, started, period);
+        }
+        self.gpu.check()?;
+        Ok(())
+    }
+
+    /// Shows the latest picture again, where the system has lost it.
+    pub fn present_again(&mut self) -> Result<(), PlayError> {
+        if self.shown.is_some() {
+            self.presenter.present(&self.gpu, &self.target)?;
+        }
+        Ok(())
+    }
+
+    /// The next frame is this scene's.
+    pub fn replace(&mut self, session: Session, reload: Option<Reload>) {
+        self.session = session;
+        self.fresh = reload;
+        self.problem = None;
+        self.titled = None;
+        self.stale = true;
+    }
+
+    /// Something is wrong with the scene's latest state.
+    pub fn set_problem(&mut self, problem: String) {
+        self.problem = Some(problem);
+        self.titled = None;
+    }
+
+    /// Follows the window's size.
+    pub fn resize(&mut self) -> Result<(), PlayError> {
+        let size = size_of(&self.window);
+        // A minimised window has no pixels; it keeps the picture it had.
+        if size.min_element() == 0 {
+            return Ok(());
+        }
+        self.presenter.resize(&self.gpu, size);
+        let picture = picture_size(&self.gpu, &self.window, self.options.scale);
+        if picture != self.target.size() {
+            self.target = Target::new(&self.gpu, picture)?;
+        }
+        self.stale = true;
+        Ok(())
+    }
+
+    pub fn toggle_full_screen(&self) {
+        self.window.set_fullscreen(match self.window.fullscreen() {
+            Some(_) => None,
+            None => Some(Fullscreen::Borderless(None)),
+        });
+    }
+
+    /// The picture's pixel under a point of the window.
+    pub fn pixel_under(&self, point: DVec2) -> IVec2 {
+        input::pixel_under(point, size_of(&self.window), self.target.size())
+    }
+
+    /// Renews the title bar if what it says may have changed.
+    pub fn renew_title(&mut self, clock: &Clock) {
+        let is_due = |at: Instant| at.elapsed() >= TITLE_EVERY && !clock.is_paused();
+        if !self.titled.is_none_or(is_due) {
+            return;
+        }
+        let title = Title {
+            name: &self.session.scene.name,
+            fps: self.shown.map_or(0.0, |input| input.frame_rate),
+            time: self.shown.map_or(0.0, |input| input.time),
+            resolution: self.target.size(),
+            paused: clock.is_paused(),
+            problem: self.problem.as_deref(),
+        };
+        self.window.set_title(&title.text());
+        self.titled = Some(Instant::now());
+    }
+
+    /// What the title says is no longer so.
+    pub fn title_changed(&mut self) {
+        self.titled = None;
+    }
+}
+
+/// When the next frame is due: one period after the last was, unless that is past already.
+fn pace(due: Instant, now: Instant, period: Duration) -> Instant {
+    let next = due + period;
+    if next > now { next } else { now + period }
+}
+
+fn size_of(window: &Window) -> UVec2 {
+    let size = window.inner_size();
+    UVec2::new(size.width, size.height)
+}
+
+fn picture_size(gpu: &Gpu, window: &Window, scale: f64) -> UVec2 {
+    let scaled = (size_of(window).as_dvec2() * scale).round().as_uvec2();
+    scaled.clamp(UVec2::ONE, UVec2::splat(gpu.max_size()))
+}
