@@ -2,7 +2,7 @@
 
 use naga::front::glsl::{Frontend, Options};
 use naga::valid::{Capabilities, ModuleInfo, ValidationError, ValidationFlags, Validator};
-use naga::{Module, ShaderStage, WithSpan};
+use naga::{Block, Expression, Function, Module, ShaderStage, Statement, TypeInner, WithSpan};
 
 use super::assemble::Assembly;
 use super::refusal;
@@ -13,13 +13,12 @@ use crate::source::Diagnostic;
 const MAX_BLOCK_DEPTH: usize = 300;
 
 /// Parses and validates a pass.
-pub(super) fn parse(assembly: &Assembly) -> Result<(Module, ModuleInfo), Vec<Diagnostic>> {
+pub(super) fn parse(assembly: &Assembly) -> Result<Module, Vec<Diagnostic>> {
     let module = Frontend::default()
         .parse(&Options::from(ShaderStage::Fragment), &assembly.text)
         .map_err(|errors| refusal::of_parser(assembly, &errors.errors))?;
-    require_shallow_blocks(assembly, &module)?;
-    let info = validate(&module).map_err(|error| vec![refusal::of_validator(assembly, &error)])?;
-    Ok((module, info))
+    validate(&module).map_err(|error| vec![refusal::of_validator(assembly, &error)])?;
+    Ok(module)
 }
 
 /// Runs naga's validator with the capabilities that every device here is asked for.
@@ -29,48 +28,83 @@ pub(super) fn validate(module: &Module) -> Result<ModuleInfo, Box<WithSpan<Valid
         .map_err(Box::new)
 }
 
-fn require_shallow_blocks(assembly: &Assembly, module: &Module) -> Result<(), Vec<Diagnostic>> {
-    for (handle, function) in module.functions.iter() {
-        if block_depth(&function.body) > MAX_BLOCK_DEPTH {
-            let place = assembly.locate_naga(module.functions.get_span(handle));
-            return Err(vec![
-                Diagnostic::error(
-                    "too-deep",
-                    format!("statements are nested more than {MAX_BLOCK_DEPTH} deep"),
-                )
-                .at(place.or(assembly.end()))
-                .hint("every `else if` nests once; use a `switch`, a loop or functions"),
-            ]);
+/// Refuses what is valid and then defeats naga's writers or the stack.
+pub(super) fn require_writable(assembly: &Assembly, module: &Module) -> Result<(), Diagnostic> {
+    for (_, function) in module.functions.iter() {
+        for (block, depth) in blocks(&function.body) {
+            for (statement, span) in block.span_iter() {
+                let place = assembly.locate_naga(*span).or(assembly.end());
+                if depth > MAX_BLOCK_DEPTH {
+                    return Err(too_deep().at(place));
+                }
+                if passes_part_of_a_variable(module, function, statement) {
+                    return Err(refusal::part_as_argument().at(place));
+                }
+            }
         }
     }
     Ok(())
 }
 
-fn block_depth(body: &naga::Block) -> usize {
-    let mut deepest = 0;
+fn too_deep() -> Diagnostic {
+    Diagnostic::error(
+        "too-deep",
+        format!("statements are nested more than {MAX_BLOCK_DEPTH} deep"),
+    )
+    .hint("every `else if` nests once; use a `switch`, a loop or functions")
+}
+
+/// The blocks of a function with their depth, from 1.
+fn blocks(body: &Block) -> impl Iterator<Item = (&Block, usize)> {
     let mut open = vec![(body, 1)];
-    while let Some((block, depth)) = open.pop() {
-        deepest = deepest.max(depth);
+    std::iter::from_fn(move || {
+        let (block, depth) = open.pop()?;
         let mut nested = |inner| open.push((inner, depth + 1));
         for statement in block {
             match statement {
-                naga::Statement::Block(inner) => nested(inner),
-                naga::Statement::If { accept, reject, .. } => {
+                Statement::Block(inner) => nested(inner),
+                Statement::If { accept, reject, .. } => {
                     nested(accept);
                     nested(reject);
                 }
-                naga::Statement::Loop {
+                Statement::Loop {
                     body, continuing, ..
                 } => {
                     nested(body);
                     nested(continuing);
                 }
-                naga::Statement::Switch { cases, .. } => {
-                    cases.iter().for_each(|case| nested(&case.body));
-                }
+                Statement::Switch { cases, .. } => cases.iter().for_each(|case| nested(&case.body)),
                 _ => {}
             }
         }
-    }
-    deepest
+        Some((block, depth))
+    })
+}
+
+/// Whether a call hands on a pointer into a variable, as for `inout` parameters. The SPIR-V writer
+/// knows pointers to whole variables only.
+fn passes_part_of_a_variable(module: &Module, function: &Function, statement: &Statement) -> bool {
+    let Statement::Call {
+        function: callee,
+        arguments,
+        ..
+    } = statement
+    else {
+        return false;
+    };
+    let parameters = &module.functions[*callee].arguments;
+    parameters
+        .iter()
+        .zip(arguments)
+        .any(|(parameter, argument)| {
+            let takes_pointer = matches!(
+                module.types[parameter.ty].inner,
+                TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. }
+            );
+            let is_part = matches!(
+                function.expressions[*argument],
+                Expression::Access { .. } | Expression::AccessIndex { .. }
+            );
+            takes_pointer && is_part
+        })
 }

@@ -26,7 +26,7 @@ use std::collections::HashSet;
 
 use assemble::Assembly;
 
-use crate::scene::{CHANNELS, Pass, Scene};
+use crate::scene::{CHANNELS, Pass, PassKind, Scene};
 use crate::source::{Diagnostic, Report, Span};
 
 /// Translates every pass of a scene, in the scene's order.
@@ -65,11 +65,24 @@ fn translate_pass(scene: &Scene, pass: &Pass) -> Result<Program, Vec<Diagnostic>
     let assembly = Assembly::new(&scene.files, pass, &words);
     let kind = pass.kind;
     let mut program = guard::guarded(move || {
-        let (module, _) = front::parse(&assembly)?;
-        Program::new(kind, module).map_err(|diagnostic| vec![diagnostic])
+        let module = front::parse(&assembly)?;
+        usable(kind, module, &assembly).map_err(|diagnostic| vec![diagnostic])
     })
     .unwrap_or_else(|failure| Err(vec![failure.diagnostic().at(own_text(scene, pass))]))?;
     program.warnings = in_pass(pass, unbound_channels(scene, pass, &program)).collect();
+    Ok(program)
+}
+
+/// Keeps what the pass needs, and makes sure that drivers can be given it: naga's writers know limits
+/// that its validator does not.
+fn usable(
+    kind: PassKind,
+    module: naga::Module,
+    assembly: &Assembly,
+) -> Result<Program, Diagnostic> {
+    let program = Program::new(kind, module)?;
+    front::require_writable(assembly, &program.module)?;
+    write::spirv(&program).map_err(|message| refusal::internal(&message))?;
     Ok(program)
 }
 

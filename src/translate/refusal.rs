@@ -146,6 +146,15 @@ fn semantic(message: &str) -> Diagnostic {
         .unwrap_or_else(|| Diagnostic::error("semantic", sentence(message)).hint(MAYBE_LIMIT))
 }
 
+/// What `inout` and `out` parameters cannot be given yet.
+pub(super) fn part_as_argument() -> Diagnostic {
+    Diagnostic::error(
+        "unsupported",
+        "part of a variable cannot be passed to an `inout` or `out` parameter yet",
+    )
+    .hint("copy it into a variable of its own, pass that, and copy it back")
+}
+
 /// A failure of the translator, not of the shader.
 pub(super) fn internal(message: &str) -> Diagnostic {
     Diagnostic::error("internal", format!("the translator failed: {message}"))

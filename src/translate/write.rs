@@ -50,7 +50,7 @@ fn wgsl(program: &Program) -> Result<Vec<u8>, String> {
     .map_err(|error| error.to_string())
 }
 
-fn spirv(program: &Program) -> Result<Vec<u8>, String> {
+pub(super) fn spirv(program: &Program) -> Result<Vec<u8>, String> {
     let mut options = back::spv::Options {
         lang_version: (1, 3),
         ..Default::default()
