@@ -1,10 +1,23 @@
 //! Draws diagnostics: for people, with an excerpt and carets, and for tools, one JSON object a line.
 
+use std::io::Write as _;
+
 use annotate_snippets::renderer::DEFAULT_TERM_WIDTH;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use serde::Serialize;
 
 use crate::source::{Diagnostic, Location, Report, Severity};
+
+/// Writes a line to standard error, with colours where it is a terminal. That nobody can read it any
+/// more is no reason to stop.
+pub fn tell(line: impl std::fmt::Display) {
+    let _ = writeln!(anstream::stderr().lock(), "{line}");
+}
+
+/// Writes a report to standard error, for people.
+pub fn show(report: &Report) {
+    let _ = write!(anstream::stderr().lock(), "{}", human(report));
+}
 
 /// Text for a terminal, with escape codes for colour; strip them where there is none. Ends with a
 /// line end unless it is empty.

@@ -3,7 +3,7 @@ use std::process::ExitCode;
 use vitrine::report;
 use vitrine::source::Report;
 
-use super::{HOST_FAILED, SCENE_HAS_PROBLEMS, Translation, complain, source, translated};
+use super::{HOST_FAILED, SCENE_HAS_PROBLEMS, Translation, complain, print, source, translated};
 use crate::cli::{CheckArgs, Format};
 
 /// Checks every scene, also after one that is wrong or missing.
@@ -24,13 +24,13 @@ pub fn check(args: CheckArgs) -> anyhow::Result<ExitCode> {
             },
         };
         match args.format {
-            Format::Human => super::show(&report),
-            Format::Json => anstream::print!("{}", report::json(&report)),
+            Format::Human => report::show(&report),
+            Format::Json => print(report::json(&report).as_bytes())?,
         }
         if report.has_errors() {
             worst = worst.max(SCENE_HAS_PROBLEMS);
         } else if args.format == Format::Human {
-            anstream::eprintln!("{}: fine", path.display());
+            report::tell(format_args!("{}: fine", path.display()));
         }
     }
     Ok(worst.into())

@@ -2,24 +2,28 @@ use std::process::ExitCode;
 
 use vitrine::render;
 
-use super::HOST_FAILED;
+use super::{HOST_FAILED, print};
 
 pub fn doctor() -> anyhow::Result<ExitCode> {
     let adapters = render::adapters();
+    let mut text = String::new();
     for (index, adapter) in adapters.iter().enumerate() {
         let yes_no = |yes| if yes { "yes" } else { "no" };
-        anstream::println!("{}", adapter.description);
-        anstream::println!("  kind              {}", adapter.kind);
-        anstream::println!("  largest picture   {0}x{0}", adapter.max_size);
-        anstream::println!("  GPU timing        {}", yes_no(adapter.timestamps));
-        anstream::println!("  64-bit floats     {}", yes_no(adapter.float64));
+        let size = adapter.max_size;
+        text += &format!("{}\n", adapter.description);
+        text += &format!("  kind              {}\n", adapter.kind);
+        text += &format!("  largest picture   {size}x{size}\n");
+        text += &format!("  GPU timing        {}\n", yes_no(adapter.timestamps));
+        text += &format!("  64-bit floats     {}\n", yes_no(adapter.float64));
         if index == 0 {
-            anstream::println!("  used unless `--adapter` says otherwise");
+            text += "  used unless `--adapter` says otherwise\n";
         }
     }
     if adapters.iter().all(|adapter| adapter.kind == "CPU") {
-        anstream::println!("{}", advice(adapters.is_empty()));
+        text += advice(adapters.is_empty());
+        text += "\n";
     }
+    print(text.as_bytes())?;
     Ok(match adapters.is_empty() {
         true => HOST_FAILED.into(),
         false => ExitCode::SUCCESS,

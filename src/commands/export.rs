@@ -11,10 +11,11 @@ use serde::Serialize;
 use vitrine::export::{self, ExportError, Frames, Job, OutPattern, Summary};
 use vitrine::output;
 use vitrine::render::Gpu;
+use vitrine::report;
 use vitrine::session::Session;
 
 use super::opening::{adapter_choice, explain, gpu_failure, watchdog};
-use super::{INTERRUPTED, failure, source};
+use super::{INTERRUPTED, failure, source, unwritable};
 use crate::cli::ExportArgs;
 
 /// How often progress is told where there is no terminal.
@@ -31,7 +32,7 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
         Ok(session) => session,
         Err(error) => return explain(error).map(Into::into),
     };
-    super::show(&session.warnings);
+    report::show(&session.warnings);
     let opened = started.elapsed();
 
     let watchdog = watchdog(&args.gpu);
@@ -49,8 +50,7 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     if let Some(path) = &args.stats {
         let stats = Stats::new(&gpu, &session, &job, &summary, driver, opened, wall);
         let text = serde_json::to_string_pretty(&stats)? + "\n";
-        output::place(path, text.as_bytes(), true)
-            .with_context(|| format!("cannot write `{}`", path.display()))?;
+        output::place(path, text.as_bytes(), true).map_err(|error| unwritable(path, &error))?;
     }
     Ok(match summary.interrupted {
         true => INTERRUPTED.into(),
@@ -91,11 +91,7 @@ fn explain_export(error: ExportError) -> anyhow::Error {
             &error,
             "add `--overwrite` to replace what is there, or choose another `--out`",
         ),
-        ExportError::Write(_) => failure(
-            &error,
-            "is there room on the disk, and may you write there? Frames written before this one \
-             are whole",
-        ),
+        ExportError::Write(write) => unwritable(&write.path, &write.error),
     }
 }
 
@@ -107,7 +103,7 @@ fn interruption() -> anyhow::Result<Arc<AtomicBool>> {
         if raised.swap(true, Ordering::Relaxed) {
             std::process::exit(INTERRUPTED.into());
         }
-        anstream::eprintln!("finishing the frames under way; press Ctrl+C again to stop at once");
+        report::tell("finishing the frames under way; press Ctrl+C again to stop at once");
     })
     .context("cannot listen for Ctrl+C")?;
     Ok(flag)
@@ -149,7 +145,9 @@ impl Progress {
                 if last.elapsed() >= PLAIN_LINE_EVERY {
                     *last = Instant::now();
                     let seconds = started.elapsed().as_secs();
-                    eprintln!("{written} of {total} frames after {seconds} s");
+                    report::tell(format_args!(
+                        "{written} of {total} frames after {seconds} s"
+                    ));
                 }
             }
         }
@@ -170,13 +168,17 @@ fn report_end(job: &Job, summary: &Summary, wall: Duration) {
     };
     let seconds = wall.as_secs_f64();
     if summary.interrupted {
-        eprintln!("interrupted after {done} of {count} frames");
+        report::tell(format_args!("interrupted after {done} of {count} frames"));
         if let Frames::Range(range) = &job.frames {
-            eprintln!("the rest: --frames {}..{}", first + done, range.end);
+            report::tell(format_args!(
+                "the rest: --frames {}..{}",
+                first + done,
+                range.end
+            ));
         }
     } else {
         let noun = if done == 1 { "frame" } else { "frames" };
-        eprintln!("{done} {noun} in {seconds:.2} s");
+        report::tell(format_args!("{done} {noun} in {seconds:.2} s"));
     }
 }
 

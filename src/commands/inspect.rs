@@ -1,11 +1,12 @@
 use std::process::ExitCode;
 
 use serde::Serialize;
+use vitrine::report;
 use vitrine::scene::{Channel, Pass, Scene};
 use vitrine::translate::bindings::{self, Uniform};
 use vitrine::translate::{ChannelUse, Program};
 
-use super::{SCENE_HAS_PROBLEMS, Translation, show, source, translated};
+use super::{SCENE_HAS_PROBLEMS, Translation, print, source, translated};
 use crate::cli::{Format, InspectArgs};
 
 /// What one pass uses, and what was left out of it.
@@ -45,16 +46,17 @@ pub fn inspect(args: InspectArgs) -> anyhow::Result<ExitCode> {
     let (scene, programs) = match translated(&source(&args.scene)?)? {
         Translation::Done(scene, programs) => (scene, programs),
         Translation::Problems(report) => {
-            show(&report);
+            report::show(&report);
             return Ok(SCENE_HAS_PROBLEMS.into());
         }
     };
     for (pass, program) in scene.passes.iter().zip(&programs) {
         let findings = findings(&scene, pass, program);
-        match args.format {
-            Format::Json => anstream::println!("{}", serde_json::to_string(&findings)?),
-            Format::Human => anstream::print!("{}", human(&findings)),
-        }
+        let text = match args.format {
+            Format::Json => serde_json::to_string(&findings)? + "\n",
+            Format::Human => human(&findings),
+        };
+        print(text.as_bytes())?;
     }
     Ok(ExitCode::SUCCESS)
 }

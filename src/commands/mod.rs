@@ -12,12 +12,11 @@ mod opening;
 mod run;
 mod translate;
 
-use std::io::Read as _;
+use std::io::{Read as _, Write as _};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use anyhow::Context as _;
 use vitrine::report;
 use vitrine::scene::{self, LoadError, LoadErrorKind, Scene, Source};
 use vitrine::source::Report;
@@ -54,7 +53,7 @@ pub fn run(command: Command, started: Instant) -> anyhow::Result<ExitCode> {
 
 /// Prints a failure of the host.
 pub fn complain(error: &anyhow::Error) {
-    anstream::eprintln!("{error:#}");
+    report::tell(format!("{error:#}"));
 }
 
 /// An error whose message ends with the way out, in the form of the scenes' diagnostics.
@@ -67,6 +66,17 @@ fn failure(message: impl std::fmt::Display, hint: &str) -> anyhow::Error {
             "{red}error{reset}{bold}: {message}{reset}\n  |\n  = {bold}help{reset}: {hint}"
         ),
     }
+}
+
+/// A file that could not be written.
+fn unwritable(path: &Path, error: &std::io::Error) -> anyhow::Error {
+    // What follows the system's words names the file that is written aside.
+    let words = error.to_string();
+    let words = words.split(" at path").next().unwrap_or_default();
+    failure(
+        format!("cannot write `{}`: {words}", path.display()),
+        "is there room on the disk, and may you write there?",
+    )
 }
 
 fn unreadable(path: &Path, error: &std::io::Error) -> anyhow::Error {
@@ -89,16 +99,23 @@ fn source(path: &Path) -> anyhow::Result<Source> {
     std::io::stdin()
         .take(scene::MAX_FILE_BYTES + 1)
         .read_to_end(&mut bytes)
-        .context("cannot read standard input")?;
+        .map_err(|error| failure(format!("cannot read standard input: {error}"), ""))?;
     Ok(Source::Text {
         name: "<stdin>".to_owned(),
         bytes,
     })
 }
 
-/// Draws a report on standard error.
-fn show(report: &Report) {
-    anstream::eprint!("{}", report::human(report));
+/// Writes a result to standard output. Whoever reads it may have had enough, as `head` does.
+fn print(text: &[u8]) -> anyhow::Result<()> {
+    let mut stdout = anstream::stdout().lock();
+    match stdout.write_all(text).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(failure(
+            format!("cannot write to standard output: {error}"),
+            "",
+        )),
+        _ => Ok(()),
+    }
 }
 
 /// What became of a scene without a GPU.

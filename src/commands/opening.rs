@@ -3,9 +3,10 @@
 use std::time::Duration;
 
 use vitrine::render::{AdapterChoice, GpuError, Watchdog};
+use vitrine::report;
 use vitrine::session::OpenError;
 
-use super::{HOST_FAILED, SCENE_HAS_PROBLEMS, failure, show, unreadable};
+use super::{HOST_FAILED, SCENE_HAS_PROBLEMS, failure, unreadable};
 use crate::cli::GpuArgs;
 
 pub fn adapter_choice(args: &GpuArgs) -> AdapterChoice {
@@ -23,7 +24,7 @@ pub fn gpu_failure(error: &GpuError) -> anyhow::Error {
 pub fn explain(error: OpenError) -> anyhow::Result<u8> {
     match error {
         OpenError::Scene { report, .. } => {
-            show(&report);
+            report::show(&report);
             Ok(SCENE_HAS_PROBLEMS)
         }
         OpenError::Io { path, error } => Err(unreadable(&path, &error)),
@@ -38,7 +39,10 @@ pub fn watchdog(args: &GpuArgs) -> Watchdog {
     Watchdog::start(
         limit,
         |elapsed| {
-            anstream::eprintln!("a frame is taking longer than {} s …", elapsed.as_secs());
+            report::tell(format_args!(
+                "a frame is taking longer than {} s …",
+                elapsed.as_secs()
+            ));
         },
         |elapsed| {
             super::complain(&failure(

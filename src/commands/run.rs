@@ -1,11 +1,12 @@
 use std::process::ExitCode;
 
 use glam::UVec2;
+use vitrine::report;
 use vitrine::scene::Source;
 use vitrine::window::{self, Options, PlayError};
 
 use super::opening::{adapter_choice, explain, gpu_failure, watchdog};
-use super::{SCENE_HAS_PROBLEMS, Translation, failure, show, source, translated};
+use super::{SCENE_HAS_PROBLEMS, Translation, failure, source, translated};
 use crate::cli::RunArgs;
 
 pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
@@ -15,7 +16,7 @@ pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
     };
     // A scene that cannot run is told about before a window opens and closes again.
     if let Translation::Problems(report) = translated(&source)? {
-        show(&report);
+        report::show(&report);
         return Ok(SCENE_HAS_PROBLEMS.into());
     }
     let options = Options {

@@ -1,12 +1,12 @@
-use std::io::{IsTerminal as _, Write as _};
+use std::io::IsTerminal as _;
 use std::process::ExitCode;
 
-use anyhow::Context as _;
 use vitrine::output;
+use vitrine::report;
 use vitrine::source::Report;
 use vitrine::translate::{self, Language};
 
-use super::{SCENE_HAS_PROBLEMS, Translation, failure, show, source, translated};
+use super::{SCENE_HAS_PROBLEMS, Translation, failure, print, source, translated, unwritable};
 use crate::cli::{self, TranslateArgs};
 
 pub fn translate(args: TranslateArgs) -> anyhow::Result<ExitCode> {
@@ -19,7 +19,7 @@ pub fn translate(args: TranslateArgs) -> anyhow::Result<ExitCode> {
     let (scene, programs) = match translated(&source(&args.scene)?)? {
         Translation::Done(scene, programs) => (scene, programs),
         Translation::Problems(report) => {
-            show(&report);
+            report::show(&report);
             return Ok(SCENE_HAS_PROBLEMS.into());
         }
     };
@@ -36,7 +36,7 @@ pub fn translate(args: TranslateArgs) -> anyhow::Result<ExitCode> {
     let text = match translate::write(program, language(args.to)) {
         Ok(text) => text,
         Err(diagnostic) => {
-            show(&Report {
+            report::show(&Report {
                 files: scene.files,
                 diagnostics: vec![diagnostic],
             });
@@ -44,11 +44,10 @@ pub fn translate(args: TranslateArgs) -> anyhow::Result<ExitCode> {
         }
     };
     match &args.out {
-        Some(path) => output::place(path, &text, true)
-            .with_context(|| format!("cannot write `{}`", path.display()))?,
-        None => std::io::stdout()
-            .write_all(&text)
-            .context("cannot write to standard output")?,
+        Some(path) => {
+            output::place(path, &text, true).map_err(|error| unwritable(path, &error))?;
+        }
+        None => print(&text)?,
     }
     Ok(ExitCode::SUCCESS)
 }

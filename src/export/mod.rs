@@ -78,11 +78,11 @@ pub enum ExportError {
         /// The first of them.
         first: PathBuf,
         /// How many there are.
-        count: u32,
+        count: usize,
     },
 }
 
-fn more(count: u32) -> String {
+fn more(count: usize) -> String {
     match count {
         1 => String::new(),
         count => format!(", and {} more", count - 1),
@@ -117,15 +117,19 @@ impl Job {
         if self.overwrite {
             return Ok(());
         }
-        let mut taken = self
-            .inputs()
-            .map(|(number, _)| self.out.path(number))
-            .filter(|path| path.exists());
-        match taken.next() {
+        let taken = match (&self.frames, self.out.is_numbered()) {
+            (Frames::Range(range), true) => self.out.existing(range.clone()),
+            _ => self
+                .inputs()
+                .map(|(number, _)| number)
+                .filter(|&n| self.out.path(n).exists())
+                .collect(),
+        };
+        match taken.first() {
             None => Ok(()),
-            Some(first) => Err(ExportError::Exists {
-                first,
-                count: 1 + taken.count() as u32,
+            Some(&first) => Err(ExportError::Exists {
+                first: self.out.path(first),
+                count: taken.len(),
             }),
         }
     }

@@ -1,3 +1,4 @@
+use std::ops::Range;
 use std::path::PathBuf;
 
 /// Where frames are written: a path with a place for the frame number, as in `frames/%05d.png`.
@@ -83,6 +84,32 @@ impl OutPattern {
         self.number.is_some()
     }
 
+    /// Which of these frames have a file already, in ascending order. Looks at the files that there
+    /// are, not at every frame: a range may have billions.
+    pub fn existing(&self, frames: Range<u32>) -> Vec<u32> {
+        // The folder whose entries carry the number, and what surrounds it in their names.
+        let is_separator = |c: char| std::path::is_separator(c);
+        let (folder, prefix) = match self.before.rfind(is_separator) {
+            Some(at) => self.before.split_at(at + 1),
+            None => (".", self.before.as_str()),
+        };
+        let suffix = self.after.split(is_separator).next().unwrap_or_default();
+        let Ok(entries) = std::fs::read_dir(folder) else {
+            return Vec::new();
+        };
+        let mut existing: Vec<u32> = entries
+            .filter_map(|entry| {
+                let name = entry.ok()?.file_name().into_string().ok()?;
+                let digits = name.strip_prefix(prefix)?.strip_suffix(suffix)?;
+                let frame = digits.parse().ok()?;
+                (frames.contains(&frame) && self.path(frame).exists()).then_some(frame)
+            })
+            .collect();
+        existing.sort_unstable();
+        existing.dedup();
+        existing
+    }
+
     /// The path of one frame.
     pub fn path(&self, frame: u32) -> PathBuf {
         let OutPattern {
@@ -113,6 +140,38 @@ mod tests {
         assert_eq!(path("%3d.png", 12345), "12345.png");
         assert_eq!(path("100%%.png", 1), "100%.png");
         assert_eq!(path("%%d%d%%.png", 1), "%d1%.png");
+    }
+
+    #[test]
+    fn existing_frames_are_found_by_their_names() {
+        let folder = tempfile::tempdir().unwrap();
+        let base = folder.path().to_str().unwrap().to_owned();
+        for name in [
+            "f007.png",
+            "f12.png",
+            "f0009.png",
+            "fx.png",
+            "f1000.png",
+            "f-01.png",
+        ] {
+            std::fs::write(folder.path().join(name), "").unwrap();
+        }
+        let existing = |pattern: &str, range| {
+            OutPattern::parse(&format!("{base}/{pattern}"))
+                .unwrap()
+                .existing(range)
+        };
+        assert_eq!(existing("f%03d.png", 0..2_000_000_000), [7, 1000]);
+        assert_eq!(existing("f%d.png", 0..100), [12]);
+        assert_eq!(existing("none/%d.png", 0..100), []);
+        std::fs::create_dir(folder.path().join("3")).unwrap();
+        assert_eq!(
+            existing("%d/a.png", 0..100),
+            [],
+            "a folder alone is no frame"
+        );
+        std::fs::write(folder.path().join("3/a.png"), "").unwrap();
+        assert_eq!(existing("%d/a.png", 0..100), [3]);
     }
 
     #[test]

@@ -100,12 +100,12 @@ pub(super) fn load(loading: &mut Loading, folder: &Path) -> Result<Parts, Failur
         |name| name.to_string_lossy().into_owned(),
     );
     let manifest = folder.join(MANIFEST);
-    if loading.exists(&manifest) {
+    if loading.is_file(&manifest) {
         return from_manifest(loading, folder, &manifest, folder_name);
     }
     loading.depends_on(&manifest);
     let image = folder.join("image.glsl");
-    if !loading.exists(&image) {
+    if !loading.is_file(&image) {
         loading.depends_on(&image);
         return Err(Diagnostic::error(
             "no-scene",
@@ -116,7 +116,7 @@ pub(super) fn load(loading: &mut Loading, folder: &Path) -> Result<Parts, Failur
     }
     let common = folder.join("common.glsl");
     let mut sources = Vec::new();
-    if loading.exists(&common) {
+    if loading.is_file(&common) {
         sources.push(loading.read(&common)?);
     } else {
         loading.depends_on(&common);
@@ -177,7 +177,7 @@ fn referred(
                 .into(),
         );
     }
-    if !loading.exists(&path) {
+    if !loading.is_file(&path) {
         loading.depends_on(&path);
         return Err(Diagnostic::error(
             "manifest",

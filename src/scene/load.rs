@@ -66,7 +66,8 @@ pub fn load(source: &Source) -> Result<Scene, LoadError> {
     };
     match result {
         Ok(parts) => Ok(Scene {
-            name: parts.name,
+            // It goes to terminals and title bars, which obey control characters.
+            name: parts.name.replace(char::is_control, " "),
             passes: parts.passes,
             files: loading.files,
             read: loading.read,
@@ -117,10 +118,10 @@ enum Disk {
 }
 
 impl Loading {
-    /// Whether there is such a file.
-    pub fn exists(&self, path: &Path) -> bool {
+    /// Whether there is such a file, and it is not a folder.
+    pub fn is_file(&self, path: &Path) -> bool {
         match self.disk {
-            Disk::Real => path.exists(),
+            Disk::Real => path.exists() && !path.is_dir(),
             Disk::Embedded => folder::embedded(path).is_some(),
         }
     }

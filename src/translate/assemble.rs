@@ -69,6 +69,15 @@ impl Assembly {
         self.locate(span.to_range()?)
     }
 
+    /// Where the author first writes a word.
+    pub fn find(&self, word: &str) -> Option<Span> {
+        self.segments.iter().find_map(|segment| {
+            let at = self.text[segment.whole.clone()].find(word)?;
+            let start = segment.whole.start + at;
+            self.locate(start..start + word.len())
+        })
+    }
+
     /// The end of the author's text, where what is missing should have stood.
     pub fn end(&self) -> Option<Span> {
         let segment = self.segments.last()?;

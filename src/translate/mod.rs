@@ -80,6 +80,7 @@ fn usable(
     module: naga::Module,
     assembly: &Assembly,
 ) -> Result<Program, Diagnostic> {
+    front::require_own_interface(assembly, &module)?;
     let program = Program::new(kind, module)?;
     front::require_writable(assembly, &program.module)?;
     write::spirv(&program).map_err(|message| refusal::internal(&message))?;

@@ -17,12 +17,15 @@ pub(super) fn of_parser(assembly: &Assembly, errors: &[Error]) -> Vec<Diagnostic
         let range = error.meta.to_range();
         let diagnostic = match range.clone().and_then(|range| assembly.locate(range)) {
             Some(span) => refusal(assembly, &error.kind, range).at(span),
+            // It is only a consequence if something else is wrong.
+            None if !diagnostics.is_empty() => continue,
             None => at_the_end(assembly, &error.kind).at(assembly.end()),
         };
-        if diagnostics
-            .iter()
-            .all(|known| known.span != diagnostic.span)
-        {
+        let is_known = |known: &Diagnostic| {
+            known.span == diagnostic.span
+                || (known.code == "version" && diagnostic.code == "version")
+        };
+        if !diagnostics.iter().any(is_known) {
             diagnostics.push(diagnostic);
         }
     }
@@ -104,7 +107,7 @@ fn refusal(assembly: &Assembly, kind: &ErrorKind, range: Option<Range<usize>>) -
         ErrorKind::PreprocessorError(error) => {
             Diagnostic::error("preprocessor", preprocessor(&format!("{error:?}")))
         }
-        ErrorKind::SemanticError(message) => semantic(message),
+        ErrorKind::SemanticError(message) => semantic(message, found),
         ErrorKind::UnknownLayoutQualifier(_)
         | ErrorKind::UnsupportedMatrixWithTwoRowsInStd140 { .. }
         | ErrorKind::UnsupportedF16MatrixInStd140 { .. } => {
@@ -119,20 +122,20 @@ fn version_refused() -> Diagnostic {
         .hint("remove the line: ShaderToy code is GLSL ES 3.00 already")
 }
 
-fn semantic(message: &str) -> Diagnostic {
+/// `found` is the author's text that the message is about.
+fn semantic(message: &str, found: &str) -> Diagnostic {
+    // Vulkan's GLSL knows these words as types, so naga takes them for constructors.
+    let old = ["texture2D", "textureCube"].iter().find(|name| {
+        found
+            .strip_prefix(**name)
+            .is_some_and(|rest| rest.trim_start().starts_with('('))
+    });
+    if let Some(name) = old {
+        return unknown_function(name);
+    }
     if let Some(name) = message.strip_prefix("Unknown function ") {
         let name = name.trim_matches('\'');
-        let diagnostic = Diagnostic::error(
-            "unknown-function",
-            format!("there is no function `{name}` for these arguments"),
-        );
-        return match name {
-            "texture2D" | "textureCube" | "texture2DLod" => {
-                diagnostic.hint("GLSL ES 3.00 calls it `texture`, or `textureLod` with a level")
-            }
-            _ => diagnostic
-                .hint("is it spelled right, defined above, and given arguments of its types?"),
-        };
+        return unknown_function(name);
     }
     if let Some(name) = message.strip_prefix("Ambiguous best function for ") {
         let name = name.trim_matches('\'');
@@ -144,6 +147,40 @@ fn semantic(message: &str) -> Diagnostic {
     }
     limitation(message)
         .unwrap_or_else(|| Diagnostic::error("semantic", sentence(message)).hint(MAYBE_LIMIT))
+}
+
+fn unknown_function(name: &str) -> Diagnostic {
+    let diagnostic = Diagnostic::error(
+        "unknown-function",
+        format!("there is no function `{name}` for these arguments"),
+    );
+    match name {
+        "texture2D" | "textureCube" | "texture2DLod" => {
+            diagnostic.hint("GLSL ES 3.00 calls it `texture`, or `textureLod` with a level")
+        }
+        _ => {
+            diagnostic.hint("is it spelled right, defined above, and given arguments of its types?")
+        }
+    }
+}
+
+/// Inputs and outputs that no ShaderToy pass has.
+pub(super) fn foreign_interface(what: &str) -> Diagnostic {
+    Diagnostic::error(
+        "unsupported",
+        format!("{what} cannot be declared or used here"),
+    )
+    .hint("a pass has ShaderToy's uniforms and channels, and draws one colour")
+}
+
+/// More than any driver gives a pixel.
+pub(super) fn too_many_variables(limit: u32) -> Diagnostic {
+    let limit = limit >> 10;
+    Diagnostic::error(
+        "too-large",
+        format!("variables here take more than {limit} KiB a pixel"),
+    )
+    .hint("use smaller arrays, or compute their values where they are needed")
 }
 
 /// What `inout` and `out` parameters cannot be given yet.
@@ -184,19 +221,45 @@ pub(super) fn of_validator(assembly: &Assembly, error: &WithSpan<ValidationError
 /// For what naga says in its own terms, and what WebGL2 may well accept.
 const MAYBE_LIMIT: &str = "if the site accepts this, it is a limit of this version's translator";
 
+fn type_mismatch(message: &str) -> Diagnostic {
+    Diagnostic::error("type-mismatch", message)
+        .hint("GLSL ES converts nothing by itself: write `float(…)`, `vec3(…)` and so on")
+}
+
 /// What naga's commonest complaints mean to an author.
 fn limitation(message: &str) -> Option<Diagnostic> {
     let has = |part: &str| message.contains(part);
     let unsupported = |what: &str, way_out: &str| {
         Some(Diagnostic::error("unsupported", what.to_owned()).hint(way_out.to_owned()))
     };
-    if has("doesn't match the type stored in") {
+    if has("doesn't match the type stored in") || has("nitializer doesn't match") {
+        return Some(type_mismatch(
+            "the value's type is not the type of what it is assigned to",
+        ));
+    }
+    if has("`return` expression Some") {
+        return Some(type_mismatch(
+            "the value returned is not of the function's type",
+        ));
+    }
+    if has("IncompatibleOperands") || has("can't work with") {
+        return Some(type_mismatch(
+            "this operator does not work on these two types",
+        ));
+    }
+    if has("LHS position") || has("left hand side") {
+        return Some(
+            Diagnostic::error("not-assignable", "this cannot be assigned to")
+                .hint("constants, uniforms and results of functions keep their values"),
+        );
+    }
+    if let Some(counts) = message.strip_prefix("Composing expects ") {
         return Some(
             Diagnostic::error(
-                "type-mismatch",
-                "the value's type is not the type of what it is assigned to",
+                "constructor",
+                format!("this constructor expects {}", without_handles(counts)),
             )
-            .hint("GLSL ES converts nothing by itself: write `float(…)`, `vec3(…)` and so on"),
+            .hint("give as many components as the type has, or a single number for all of them"),
         );
     }
     if has("`return` expression None") {
@@ -244,12 +307,6 @@ fn limitation(message: &str) -> Option<Diagnostic> {
         return unsupported(
             &format!("`{name}` does not take these arguments yet"),
             "use vectors of two or more components, all of one type",
-        );
-    }
-    if has("IncompatibleOperands") || has("can't work with") {
-        return unsupported(
-            "this operator does not work on these two types",
-            "convert one of them, or compare and compute component by component",
         );
     }
     None

@@ -86,7 +86,7 @@ impl App {
 
     fn open_window(&mut self, event_loop: &ActiveEventLoop) -> Result<(), PlayError> {
         let stage = Stage::open(event_loop, &self.options)?;
-        show(&stage.session.warnings);
+        report::show(&stage.session.warnings);
         if self.options.watch {
             self.start_watching(&stage.session.scene.read);
         }
@@ -105,7 +105,7 @@ impl App {
                 watch.follow(files);
                 self.watch = Some(watch);
             }
-            Err(error) => anstream::eprintln!("changes will not be noticed: {error}"),
+            Err(error) => report::tell(format_args!("changes will not be noticed: {error}")),
         }
     }
 
@@ -197,7 +197,7 @@ impl App {
 
     /// The scene on stage is this one from now on. Time runs on, unless it is another scene.
     fn take(&mut self, session: Session, reload: Option<Reload>, is_new: bool) {
-        show(&session.warnings);
+        report::show(&session.warnings);
         if let Some(watch) = &mut self.watch {
             watch.follow(&session.scene.read);
         }
@@ -217,7 +217,7 @@ impl App {
         };
         let problem = match error {
             OpenError::Scene { report, read } => {
-                show(&report);
+                report::show(&report);
                 if let (Some(watch), false) = (&mut self.watch, is_new) {
                     let known = stage.session.scene.read.iter();
                     let files: Vec<PathBuf> = known.chain(&read).cloned().collect();
@@ -227,13 +227,13 @@ impl App {
             }
             OpenError::Io { path, error } => {
                 let problem = format!("cannot read {}: {error}", path.display());
-                anstream::eprintln!("error: {problem}");
+                report::tell(format_args!("error: {problem}"));
                 problem
             }
             OpenError::Gpu(error) => {
                 // What the driver will not take is the scene's fault as long as the device lives.
                 stage.gpu.check()?;
-                anstream::eprintln!("error: {error}\n  = help: {}", error.hint());
+                report::tell(format_args!("error: {error}\n  = help: {}", error.hint()));
                 error.to_string()
             }
         };
@@ -254,7 +254,7 @@ impl App {
             Command::Save => self.save(),
             Command::Paste => match clipboard() {
                 Ok(source) => self.open_aside(source, None),
-                Err(error) => anstream::eprintln!("nothing pasted: {error}"),
+                Err(error) => report::tell(format_args!("nothing pasted: {error}")),
             },
             Command::Leave => event_loop.exit(),
         }
@@ -265,8 +265,8 @@ impl App {
         let Some(stage) = &self.stage else { return };
         let time = stage.shown.map_or(0.0, |input| input.time);
         match picture::save(&stage.gpu, &stage.target, &stage.session.scene.name, time) {
-            Ok(path) => anstream::eprintln!("saved {}", path.display()),
-            Err(error) => anstream::eprintln!("not saved: {error}"),
+            Ok(path) => report::tell(format_args!("saved {}", path.display())),
+            Err(error) => report::tell(format_args!("not saved: {error}")),
         }
     }
 
@@ -316,7 +316,7 @@ impl ApplicationHandler<Wake> for App {
                 let taken = self.opened(*opened);
                 self.expect(event_loop, taken);
             }
-            Wake::FirstFrame { reload, took } => anstream::eprintln!("{}", reload.line(took)),
+            Wake::FirstFrame { reload, took } => report::tell(reload.line(took)),
         }
     }
 
@@ -404,10 +404,6 @@ impl Reload {
             ms(first_frame),
         )
     }
-}
-
-fn show(report: &Report) {
-    anstream::eprint!("{}", report::human(report));
 }
 
 fn clipboard() -> Result<Source, arboard::Error> {

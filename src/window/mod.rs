@@ -57,7 +57,13 @@ impl From<GpuError> for PlayError {
 
 impl From<EventLoopError> for PlayError {
     fn from(error: EventLoopError) -> Self {
-        PlayError::Window(error.to_string())
+        let words = error.to_string();
+        // winit begins with the place in its own source.
+        let words = match words.split_once(".rs:") {
+            Some((_, rest)) => rest.split_once(": ").map_or(rest, |(_, words)| words),
+            None => &words,
+        };
+        PlayError::Window(words.to_owned())
     }
 }
 
