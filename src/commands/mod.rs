@@ -108,7 +108,7 @@ fn source(path: &Path) -> anyhow::Result<Source> {
 
 /// Writes a result to standard output. Whoever reads it may have had enough, as `head` does.
 fn print(text: &[u8]) -> anyhow::Result<()> {
-    let mut stdout = anstream::stdout().lock();
+    let mut stdout = std::io::stdout().lock();
     match stdout.write_all(text).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(failure(
             format!("cannot write to standard output: {error}"),

@@ -163,12 +163,11 @@ mod tests {
         };
         assert_eq!(existing("f%03d.png", 0..2_000_000_000), [7, 1000]);
         assert_eq!(existing("f%d.png", 0..100), [12]);
-        assert_eq!(existing("none/%d.png", 0..100), []);
+        assert!(existing("none/%d.png", 0..100).is_empty());
         std::fs::create_dir(folder.path().join("3")).unwrap();
-        assert_eq!(
-            existing("%d/a.png", 0..100),
-            [],
-            "a folder alone is no frame"
+        assert!(
+            existing("%d/a.png", 0..100).is_empty(),
+            "a folder is no frame"
         );
         std::fs::write(folder.path().join("3/a.png"), "").unwrap();
         assert_eq!(existing("%d/a.png", 0..100), [3]);
