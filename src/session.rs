@@ -34,6 +34,13 @@ pub struct Timing {
     pub build: Duration,
 }
 
+impl Timing {
+    /// All of it.
+    pub fn total(&self) -> Duration {
+        self.load + self.translate + self.build
+    }
+}
+
 /// Why a scene could not be opened.
 #[derive(Debug)]
 pub enum OpenError {

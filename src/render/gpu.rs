@@ -172,6 +172,11 @@ impl Gpu {
         describe(&self.adapter)
     }
 
+    /// Whether the driver draws on the CPU.
+    pub fn is_cpu(&self) -> bool {
+        self.adapter.device_type == wgpu::DeviceType::Cpu
+    }
+
     /// The largest width and height of a picture.
     pub fn max_size(&self) -> u32 {
         self.device.limits().max_texture_dimension_2d

@@ -123,7 +123,12 @@ impl App {
         let Some(stage) = &mut self.stage else {
             return Ok(());
         };
-        if stage.wants_frame(&self.clock, Instant::now()) {
+        let now = Instant::now();
+        let is_lost = self.clock.is_paused() && !stage.stale;
+        if stage.wants_present(now) || is_lost {
+            stage.present()?;
+        }
+        if stage.wants_frame(&self.clock, now) {
             let mut input = self.clock.tick(stage.target.size());
             input.mouse = self.mouse.frame_value();
             self.mouse.frame_drawn();
@@ -131,12 +136,9 @@ impl App {
             if self.clock.is_paused() {
                 stage.title_changed();
             }
-            stage.draw(&input, &self.wakes)
-        } else if self.clock.is_paused() {
-            stage.present_again()
-        } else {
-            Ok(())
+            stage.draw(&input, &self.wakes)?;
         }
+        Ok(())
     }
 
     /// Opens a scene on another thread; the answer is [`Wake::Opened`].
@@ -183,6 +185,7 @@ impl App {
                     settle: opened.began - saved,
                     translate: session.timing.load + session.timing.translate,
                     build: session.timing.build,
+                    ready: opened.began + session.timing.total(),
                 });
                 self.options.source = opened.source;
                 self.take(session, reload, is_new);
@@ -316,7 +319,11 @@ impl ApplicationHandler<Wake> for App {
                 let taken = self.opened(*opened);
                 self.expect(event_loop, taken);
             }
-            Wake::FirstFrame { reload, took } => report::tell(reload.line(took)),
+            Wake::FirstFrame {
+                reload,
+                began,
+                took,
+            } => report::tell(reload.line(began, took)),
         }
     }
 
@@ -375,12 +382,14 @@ impl ApplicationHandler<Wake> for App {
         if !is_busy {
             self.watchdog.rest();
         }
-        let moving = !self.clock.is_paused() || stage.stale;
-        event_loop.set_control_flow(if stage.wants_frame(&self.clock, Instant::now()) {
+        let moving = !self.clock.is_paused() || stage.stale || stage.is_unpresented();
+        let now = Instant::now();
+        let wants_redraw = stage.wants_present(now) || stage.wants_frame(&self.clock, now);
+        event_loop.set_control_flow(if wants_redraw {
             stage.window.request_redraw();
             ControlFlow::Wait
         } else if is_busy {
-            ControlFlow::WaitUntil(Instant::now() + GLANCE)
+            ControlFlow::WaitUntil(now + GLANCE)
         } else if moving {
             ControlFlow::WaitUntil(stage.next_frame)
         } else {
@@ -391,16 +400,18 @@ impl ApplicationHandler<Wake> for App {
 
 impl Reload {
     /// The line after a good reload. The driver compiles while building, and some drivers again in
-    /// the first frame.
-    fn line(&self, first_frame: Duration) -> String {
+    /// the first frame, which waits for the old scene's frame under way.
+    fn line(&self, began: Instant, first_frame: Duration) -> String {
         let ms = |duration: Duration| duration.as_secs_f64() * 1000.0;
         format!(
-            "reloaded {} in {:.0} ms: settle {:.0}, translate {:.0}, driver {:.0}, first frame {:.0}",
+            "reloaded {} in {:.0} ms: settle {:.0}, translate {:.0}, driver {:.0}, wait {:.0}, \
+             first frame {:.0}",
             self.name,
-            ms(self.saved.elapsed()),
+            ms(began + first_frame - self.saved),
             ms(self.settle),
             ms(self.translate),
             ms(self.build),
+            ms(began - self.ready),
             ms(first_frame),
         )
     }

@@ -75,7 +75,11 @@ enum Wake {
     /// A scene has been opened on the side, or not.
     Opened(Box<Opened>),
     /// A reloaded scene's first frame has been drawn.
-    FirstFrame { reload: Reload, took: Duration },
+    FirstFrame {
+        reload: Reload,
+        began: Instant,
+        took: Duration,
+    },
 }
 
 /// The outcome of opening a scene on the side.
@@ -99,6 +103,8 @@ struct Reload {
     settle: Duration,
     translate: Duration,
     build: Duration,
+    /// When the scene was ready to be drawn.
+    ready: Instant,
 }
 
 /// Plays until the window is closed.

@@ -13,10 +13,10 @@ use crate::frame::{Clock, FrameInput};
 use crate::render::{Gpu, Presented, Presenter, Target};
 use crate::session::Session;
 
-/// Frames handed to the GPU before waiting for the oldest.
+/// Frames handed to a GPU before waiting for the oldest.
 const FRAMES_UNDER_WAY: u32 = 2;
 
-/// When to try again after the window took no picture.
+/// When to try again after the window took no picture, because it is hidden perhaps.
 const AFTER_SKIP: Duration = Duration::from_millis(16);
 
 /// How often the title bar is renewed while time runs.
@@ -36,6 +36,8 @@ pub(super) struct Stage {
     pub next_frame: Instant,
     presenter: Presenter,
     options: Options,
+    /// Whether the target holds a frame that the window has not been given.
+    unpresented: bool,
     under_way: Arc<AtomicU32>,
     /// The reload whose first frame is the next one.
     fresh: Option<Reload>,
@@ -72,6 +74,7 @@ impl Stage {
             next_frame: Instant::now(),
             presenter,
             options: options.clone(),
+            unpresented: false,
             under_way: Arc::default(),
             fresh: None,
             problem: None,
@@ -87,11 +90,34 @@ impl Stage {
     /// Whether a frame should be drawn now.
     pub fn wants_frame(&self, clock: &Clock, now: Instant) -> bool {
         let moving = !clock.is_paused() || self.stale;
-        let free = self.under_way.load(Ordering::Relaxed) < FRAMES_UNDER_WAY;
-        moving && free && now >= self.next_frame
+        let free = self.under_way.load(Ordering::Relaxed) < self.most_under_way();
+        moving && free && !self.unpresented && now >= self.next_frame
     }
 
-    /// Draws a frame and hands it to the window.
+    /// Whether a frame that was drawn should be given to the window now.
+    pub fn wants_present(&self, now: Instant) -> bool {
+        self.unpresented && now >= self.next_frame && !(self.presents_late() && self.is_busy())
+    }
+
+    /// Whether a frame waits to be given to the window.
+    pub fn is_unpresented(&self) -> bool {
+        self.unpresented
+    }
+
+    /// Drivers on the CPU do not return from presenting until the frame is drawn. The event loop
+    /// cannot wait for that: such frames are presented once they are done.
+    fn presents_late(&self) -> bool {
+        self.gpu.is_cpu()
+    }
+
+    fn most_under_way(&self) -> u32 {
+        match self.presents_late() {
+            true => 1,
+            false => FRAMES_UNDER_WAY,
+        }
+    }
+
+    /// Draws a frame; it is given to the window now or when [`Stage::wants_present`] says so.
     pub fn draw(
         &mut self,
         input: &FrameInput,
@@ -108,28 +134,37 @@ impl Stage {
         self.gpu.on_done(move || {
             under_way.fetch_sub(1, Ordering::Relaxed);
             if let Some((reload, wakes)) = first {
-                let took = started.elapsed();
+                let wake = Wake::FirstFrame {
+                    reload,
+                    began: started,
+                    took: started.elapsed(),
+                };
                 // The loop is gone when the window is.
-                let _ = wakes.send_event(Wake::FirstFrame { reload, took });
+                let _ = wakes.send_event(wake);
             }
         });
-        self.window.pre_present_notify();
-        if self.presenter.present(&self.gpu, &self.target)? == Presented::Skipped {
-            self.stale = true;
-            self.next_frame = started + AFTER_SKIP;
-        } else if let Some(limit) = self.options.fps_limit {
+        if let Some(limit) = self.options.fps_limit {
             let period = Duration::from_secs_f64(1.0 / limit);
             self.next_frame = pace(self.next_frame, started, period);
         }
-        self.gpu.check()?;
-        Ok(())
+        self.unpresented = true;
+        match self.presents_late() {
+            true => Ok(()),
+            false => self.present(),
+        }
     }
 
-    /// Shows the latest picture again, where the system has lost it.
-    pub fn present_again(&mut self) -> Result<(), PlayError> {
-        if self.shown.is_some() {
-            self.presenter.present(&self.gpu, &self.target)?;
+    /// Gives the window the latest picture, also again where the system has lost it.
+    pub fn present(&mut self) -> Result<(), PlayError> {
+        if self.shown.is_none() {
+            return Ok(());
         }
+        self.window.pre_present_notify();
+        match self.presenter.present(&self.gpu, &self.target)? {
+            Presented::Shown => self.unpresented = false,
+            Presented::Skipped => self.next_frame = Instant::now() + AFTER_SKIP,
+        }
+        self.gpu.check()?;
         Ok(())
     }
 
@@ -159,6 +194,8 @@ impl Stage {
         let picture = picture_size(&self.gpu, &self.window, self.options.scale);
         if picture != self.target.size() {
             self.target = Target::new(&self.gpu, picture)?;
+            // The new one holds nothing yet.
+            self.unpresented = false;
         }
         self.stale = true;
         Ok(())
