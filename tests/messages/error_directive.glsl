@@ -1,0 +1,7 @@
+#if HW_PERFORMANCE > 0
+#error this needs a slower machine
+#endif
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    fragColor = vec4(1.0);
+}

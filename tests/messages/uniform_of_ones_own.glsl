@@ -1,0 +1,5 @@
+uniform float speed;
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    fragColor = vec4(sin(iTime * speed));
+}

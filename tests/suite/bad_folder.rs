@@ -1,0 +1,101 @@
+//! What a folder gets whose manifest is wrong: the place in it, the way out, exit code 1, no file.
+
+use crate::bad_input::{GOOD, refused};
+use crate::support::Folder;
+
+/// Expects a folder with a good `image.glsl` and this manifest to be refused, at this place.
+#[track_caller]
+fn manifest_refused(manifest: &str, place: &str, words: &[&str]) {
+    let folder = Folder::with("a/image.glsl", GOOD);
+    folder.write("a/scene.toml", manifest);
+    let place = format!("a/scene.toml:{place}");
+    let always = ["error[manifest]: ", "help: ", &place];
+    refused(&folder, "a", 1, &[words, &always].concat());
+}
+
+#[test]
+fn a_folder_without_a_scene() {
+    let folder = Folder::with("a/notes.txt", "nothing to draw");
+    let message = "error[no-scene]: the folder `a` holds no scene";
+    refused(
+        &folder,
+        "a",
+        1,
+        &[message, "`scene.toml`, or an `image.glsl`"],
+    );
+}
+
+#[test]
+fn an_unknown_key() {
+    let manifest = "[image]\nsource = \"image.glsl\"\niChanel0 = { procedural = \"noise\" }\n";
+    manifest_refused(
+        manifest,
+        "3:1",
+        &["unknown field `iChanel0`", "`iChannel0`"],
+    );
+}
+
+#[test]
+fn an_unknown_value() {
+    let channel = "iChannel0 = { procedural = \"noise\", filter = \"cubic\" }";
+    let manifest = format!("[image]\nsource = \"image.glsl\"\n{channel}\n");
+    manifest_refused(
+        &manifest,
+        "3:46",
+        &["`cubic`", "`nearest`, `linear`, `mipmap`"],
+    );
+}
+
+#[test]
+fn no_toml() {
+    manifest_refused("[image\nsource = \"image.glsl\"\n", "1:7", &[]);
+}
+
+#[test]
+fn a_missing_image() {
+    manifest_refused("name = \"Hills\"\n", "1:1", &["missing field `image`"]);
+    manifest_refused("", "1:1", &["missing field `image`"]);
+}
+
+#[test]
+fn a_missing_file() {
+    let manifest = "common = [\"gone.glsl\"]\n[image]\nsource = \"image.glsl\"\n";
+    let message = "there is no file `a/gone.glsl`";
+    manifest_refused(manifest, "1:11", &[message, "paths are relative"]);
+}
+
+#[test]
+fn a_folder_for_a_file() {
+    manifest_refused("[image]\nsource = \".\"\n", "2:10", &[]);
+    manifest_refused("[image]\nsource = \"\"\n", "2:10", &[]);
+}
+
+#[test]
+fn a_file_outside() {
+    let hint = "name a file in the scene folder or in a folder beside it";
+    let manifest = "[image]\nsource = \"/etc/hostname\"\n";
+    manifest_refused(manifest, "2:10", &["lies outside the scene", hint]);
+
+    let folder = Folder::with("secret.txt", GOOD);
+    folder.write(
+        "deep/a/scene.toml",
+        "[image]\nsource = \"../../secret.txt\"\n",
+    );
+    let message = "`../../secret.txt` lies outside the scene";
+    refused(&folder, "deep/a", 1, &[message, "deep/a/scene.toml:2:10"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_outside_behind_a_link() {
+    let folder = Folder::with("secret.txt", GOOD);
+    folder.write("deep/a/scene.toml", "[image]\nsource = \"image.glsl\"\n");
+    let link = folder.path().join("deep/a/image.glsl");
+    std::os::unix::fs::symlink("../../secret.txt", link).expect("a link");
+    refused(
+        &folder,
+        "deep/a",
+        1,
+        &["`image.glsl` lies outside the scene"],
+    );
+}

@@ -1,0 +1,134 @@
+//! What a scene reads from `iChannel0` to `iChannel3`.
+
+use glam::UVec2;
+use vitrine::frame::Clock;
+use vitrine::scene::{NOISE_SIZE, Source, noise_texture};
+
+use crate::support::{Folder, assert_claims, claims, draw, gpu, open, plain};
+
+/// A scene folder whose `iChannel0` is the noise texture, `sampling` being what the manifest adds.
+fn noise_scene(image: &str, sampling: &str) -> Folder {
+    let folder = Folder::with("image.glsl", image);
+    let manifest = format!(
+        "[image]\nsource = \"image.glsl\"\niChannel0 = {{ procedural = \"noise\"{sampling} }}\n"
+    );
+    folder.write("scene.toml", manifest);
+    folder
+}
+
+fn assert_all_hold(these: &[&str], sampling: &str) {
+    let Some(gpu) = gpu() else { return };
+    let folder = noise_scene(&claims(these), sampling);
+    let session = open(gpu, &Source::Path(folder.path().to_owned()));
+    let input = Clock::fixed(60.0).at(0, UVec2::new(these.len() as u32, 1));
+    assert_claims(these, &draw(gpu, &session, &input));
+}
+
+/// A texel of the noise texture as a GLSL expression.
+fn texel(x: u32, y: u32) -> String {
+    let noise = noise_texture();
+    let at = 4 * (y * NOISE_SIZE + x) as usize;
+    let [r, g, b, a] = noise[at..at + 4] else {
+        unreachable!("four bytes")
+    };
+    format!("vec4({r}.0, {g}.0, {b}.0, {a}.0)")
+}
+
+#[test]
+fn row_0_of_a_texture_is_its_bottom_row() {
+    let Some(gpu) = gpu() else { return };
+    let image = "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }";
+    let folder = noise_scene(image, "");
+    let session = open(gpu, &Source::Path(folder.path().to_owned()));
+    let picture = draw(gpu, &session, &Clock::fixed(60.0).at(0, UVec2::new(16, 16)));
+    let noise = noise_texture();
+    for (x, y) in [(3, 5), (0, 0), (15, 0), (7, 15)] {
+        let at = 4 * (y * NOISE_SIZE + x) as usize;
+        assert_eq!(
+            picture.pixel(x, 15 - y),
+            noise[at..at + 3],
+            "texel {x}, {y}"
+        );
+    }
+}
+
+#[test]
+fn all_four_components_arrive() {
+    let fetched = format!(
+        "round(255.0 * texelFetch(iChannel0, ivec2(3, 5), 0)) == {}",
+        texel(3, 5)
+    );
+    assert_all_hold(&[&fetched], "");
+}
+
+#[test]
+fn coordinates_repeat_or_stop_at_the_edge() {
+    let inside = format!(
+        "round(255.0 * textureLod(iChannel0, vec2(3.5, 5.5) / 256.0, 0.0)) == {}",
+        texel(3, 5)
+    );
+    let beyond = |x, y| {
+        format!(
+            "round(255.0 * textureLod(iChannel0, vec2(256.0 + 3.5, -256.0 + 5.5) / 256.0, 0.0)) == {}",
+            texel(x, y)
+        )
+    };
+    assert_all_hold(
+        &[&inside, &beyond(3, 5)],
+        ", filter = \"nearest\", wrap = \"repeat\"",
+    );
+    assert_all_hold(
+        &[&inside, &beyond(255, 0)],
+        ", filter = \"nearest\", wrap = \"clamp\"",
+    );
+}
+
+#[test]
+fn filters_do_as_they_are_called() {
+    let between = "textureLod(iChannel0, vec2(4.0, 5.5) / 256.0, 0.0)";
+    let mean =
+        "0.5 * (texelFetch(iChannel0, ivec2(3, 5), 0) + texelFetch(iChannel0, ivec2(4, 5), 0))";
+    let linear = format!("distance({between}, {mean}) < 0.01");
+    let nearest = format!("distance({between}, {mean}) > 0.01");
+    // The smallest level is the mean of all: half of everything, for each value is equally frequent.
+    let smallest = "distance(textureLod(iChannel0, vec2(0.3), 8.0), vec4(0.5)) < 0.02";
+    let not_mixed = "distance(textureLod(iChannel0, vec2(0.3), 8.0), vec4(0.5)) > 0.02";
+    assert_all_hold(&[&linear, smallest], ", filter = \"mipmap\"");
+    assert_all_hold(&[&linear, not_mixed], ", filter = \"linear\"");
+    assert_all_hold(&[&nearest, not_mixed], ", filter = \"nearest\"");
+    // As the site has it for a new texture.
+    assert_all_hold(&[&linear, smallest], "");
+}
+
+#[test]
+fn a_channel_knows_its_size() {
+    assert_all_hold(
+        &[
+            "iChannelResolution[0] == vec3(256.0, 256.0, 1.0)",
+            "iChannelResolution[1] == vec3(0.0)",
+            "iChannelTime[0] == 0.0",
+            "textureSize(iChannel0, 0) == ivec2(256)",
+        ],
+        "",
+    );
+}
+
+#[test]
+fn an_unbound_channel_reads_opaque_black_and_warns() {
+    let Some(gpu) = gpu() else { return };
+    let these = [
+        "texture(iChannel2, vec2(0.3)) == vec4(0.0, 0.0, 0.0, 1.0)",
+        "texelFetch(iChannel2, ivec2(0), 0) == vec4(0.0, 0.0, 0.0, 1.0)",
+    ];
+    let session = open(gpu, &crate::support::pasted(&claims(&these)));
+    let input = Clock::fixed(60.0).at(0, UVec2::new(2, 1));
+    assert_claims(&these, &draw(gpu, &session, &input));
+
+    let warnings = plain(&session.warnings);
+    assert_eq!(session.warnings.diagnostics.len(), 1, "{warnings}");
+    assert!(!session.warnings.has_errors());
+    assert!(
+        warnings.contains("`iChannel2` is read but nothing is bound to it"),
+        "{warnings}"
+    );
+}

@@ -1,0 +1,41 @@
+//! The integration tests: each module has one subject, and adding a test means adding a file.
+//!
+//! - A test that draws asks [`support::gpu`] first. Without a graphics adapter it says that it was
+//!   skipped and passes; with `REQUIRE_GPU=1` it fails.
+//! - Golden pictures and texts lie in `tests/goldens` and `tests/messages`. `BLESS=1 cargo test`
+//!   accepts what the program makes now; look at it before committing it.
+
+mod bad_folder;
+mod bad_input;
+mod fuzz;
+mod layering;
+mod messages;
+mod seeds;
+mod support;
+mod translate;
+mod usage;
+
+#[cfg(feature = "gpu")]
+mod bad_output;
+#[cfg(feature = "gpu")]
+mod channels;
+#[cfg(feature = "gpu")]
+mod clock;
+#[cfg(feature = "gpu")]
+mod colours;
+#[cfg(feature = "gpu")]
+mod export;
+#[cfg(all(feature = "gpu", unix))]
+mod interrupt;
+#[cfg(feature = "gpu")]
+mod leave_out;
+#[cfg(feature = "gpu")]
+mod orientation;
+#[cfg(feature = "gpu")]
+mod reload;
+#[cfg(feature = "gpu")]
+mod scenes;
+#[cfg(feature = "gpu")]
+mod webgl2;
+#[cfg(all(feature = "window", target_os = "linux"))]
+mod window;

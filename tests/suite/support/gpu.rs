@@ -1,0 +1,57 @@
+use std::sync::OnceLock;
+
+use glam::UVec2;
+use vitrine::frame::{Clock, FrameImage, FrameInput};
+use vitrine::render::{AdapterChoice, Gpu, ReadBack, Target};
+use vitrine::scene::Source;
+use vitrine::session::{OpenError, Session};
+
+use super::{pasted, plain};
+
+/// The device that all tests share, or `None` where there is no graphics adapter: the test is then
+/// skipped, which is said, and which `REQUIRE_GPU=1` forbids.
+pub fn gpu() -> Option<&'static Gpu> {
+    static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
+    let gpu = GPU.get_or_init(|| match Gpu::headless(&AdapterChoice::Auto) {
+        Ok(gpu) => Some(gpu),
+        Err(error) if std::env::var("REQUIRE_GPU").is_ok_and(|value| value == "1") => {
+            panic!("REQUIRE_GPU is set, but {error}: {}", error.hint())
+        }
+        Err(_) => None,
+    });
+    if gpu.is_none() {
+        let test = std::thread::current().name().unwrap_or_default().to_owned();
+        eprintln!("{test}: skipped, no graphics adapter was found");
+    }
+    gpu.as_ref()
+}
+
+/// Opens a scene that is known to be good.
+pub fn open(gpu: &Gpu, source: &Source) -> Session {
+    match Session::open(gpu, source) {
+        Ok(session) => session,
+        Err(OpenError::Scene { report, .. }) => panic!("{}", plain(&report)),
+        Err(error) => panic!("{error:?}"),
+    }
+}
+
+/// Draws one frame and reads it back, as an export does.
+pub fn draw(gpu: &Gpu, session: &Session, input: &FrameInput) -> FrameImage {
+    let target = Target::new(gpu, input.resolution).expect("a target");
+    let ring = ReadBack::new(gpu, input.resolution, 1, false).expect("a read-back buffer");
+    let mut slot = ring.slots.into_iter().next().expect("one slot");
+    session
+        .renderer
+        .render(gpu, input, &target, Some(&mut slot));
+    while !slot.is_ready(gpu).expect("the device works") {}
+    let mut image = FrameImage::default();
+    slot.take(gpu, &mut image).expect("a picture");
+    image
+}
+
+/// Draws a pasted text at time 0.
+pub fn still(gpu: &Gpu, text: &str, width: u32, height: u32) -> FrameImage {
+    let session = open(gpu, &pasted(text));
+    let input = Clock::fixed(60.0).at(0, UVec2::new(width, height));
+    draw(gpu, &session, &input)
+}
