@@ -84,6 +84,7 @@ impl<'a> Excerpt<'a> {
         }
         let offset = file[..start].rfind('\n').map_or(0, |newline| newline + 1);
         let line_end = file[start..].find('\n').map_or(file.len(), |n| start + n);
+        let line_end = start.max(file[..line_end].trim_end_matches('\r').len());
         end = end.min(line_end);
         Excerpt {
             text: &file[offset..line_end],

@@ -28,6 +28,8 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     let source = source(&args.scene)?;
     let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;
     let driver = started.elapsed();
+    let watchdog = watchdog(&args.gpu);
+    watchdog.begin();
     let session = match Session::open(&gpu, &source) {
         Ok(session) => session,
         Err(error) => return explain(error).map(Into::into),
@@ -35,7 +37,6 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     report::show(&session.warnings);
     let opened = started.elapsed();
 
-    let watchdog = watchdog(&args.gpu);
     let interrupted = interruption()?;
     let mut progress = Progress::new(job.frames.count());
     let result = export::export(&gpu, &session.renderer, &job, &watchdog, &mut |written| {

@@ -50,8 +50,8 @@ pub fn watchdog(args: &GpuArgs) -> Watchdog {
                     "a frame was not finished after {:.0} s",
                     elapsed.as_secs_f64()
                 ),
-                "does a loop never end? Otherwise choose a smaller `--size`, or give it more time \
-                 with `--frame-timeout SECONDS`",
+                "does a loop never end, or is an array very large? Otherwise choose a smaller `--size`, \
+                 or give it more time with `--frame-timeout SECONDS`",
             ));
             end_at_once(HOST_FAILED);
         },

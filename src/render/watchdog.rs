@@ -48,7 +48,7 @@ impl Watchdog {
         Watchdog { shared }
     }
 
-    /// A frame was begun, or finished while others are under way.
+    /// A frame was begun, or finished while others are under way; or the driver compiles for one.
     pub fn begin(&self) {
         self.set(Some(Instant::now()));
     }

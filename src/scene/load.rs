@@ -168,6 +168,9 @@ impl Loading {
             .hint("name a file of GLSL source text")
             .into());
         }
+        if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+            return Err(self.not_text(name, &[], "not-utf8", "the text is UTF-16, not UTF-8"));
+        }
         match std::str::from_utf8(bytes) {
             Ok(text) if !text.contains('\0') => Ok(self.files.add(name, text)),
             Ok(_) => Err(self.not_text(

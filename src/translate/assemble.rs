@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use super::bindings::{self, Uniform};
+use super::scan;
 use crate::scene::{CHANNELS, Pass};
 use crate::source::{FileId, SourceMap, Span};
 
@@ -69,6 +70,16 @@ impl Assembly {
         self.locate(span.to_range()?)
     }
 
+    /// The first character of the author's that GLSL does not know.
+    pub fn odd_character(&self) -> Option<Span> {
+        self.segments.iter().find_map(|segment| {
+            let at = scan::odd_character(&self.text[segment.whole.clone()])?;
+            let start = segment.whole.start + at;
+            let character = self.text[start..].chars().next()?;
+            self.locate(start..start + character.len_utf8())
+        })
+    }
+
     /// Where the author first writes a word.
     pub fn find(&self, word: &str) -> Option<Span> {
         self.segments.iter().find_map(|segment| {
@@ -92,7 +103,14 @@ impl Assembly {
 
 /// Calls the author's code. The colour starts at 0 because WebGL clears what an `out` parameter holds
 /// on entry; alpha is ignored, as on the site.
+///
+/// On the site `main` stands ahead of the author's text, whose macros do not reach it.
 const MAIN: &str = "\
+#undef main
+#undef mainImage
+#undef void
+#undef vec4
+#undef gl_FragCoord
 void main() {
     vec4 vitrine_out = vec4(0.0);
     mainImage(vitrine_out, gl_FragCoord.xy);

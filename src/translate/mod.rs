@@ -63,6 +63,9 @@ fn translate_pass(scene: &Scene, pass: &Pass) -> Result<Program, Vec<Diagnostic>
         return Err(problems);
     }
     let assembly = Assembly::new(&scene.files, pass, &words);
+    if !words.contains("mainImage") {
+        return Err(vec![refusal::no_main_image(&words).at(assembly.end())]);
+    }
     let kind = pass.kind;
     let mut program = guard::guarded(move || {
         let module = front::parse(&assembly)?;

@@ -29,7 +29,7 @@ pub struct Program {
 /// Where the renderer writes each uniform.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UniformBlock {
-    /// Size of the block in bytes.
+    /// Size of the block in bytes, a multiple of 16.
     pub size: u32,
     /// The uniforms that the pass reads, with their byte offsets, ascending. Arrays have std140's
     /// stride of 16 bytes.
@@ -136,7 +136,8 @@ fn uniform_block(
         })
         .collect();
     UniformBlock {
-        size: *span,
+        // Some devices want bindings of whole 16 bytes.
+        size: span.next_multiple_of(16),
         members,
     }
 }

@@ -1,5 +1,6 @@
 //! The refusals of naga's front end and validator, in the author's terms.
 
+use std::collections::HashSet;
 use std::error::Error as _;
 use std::ops::Range;
 
@@ -19,7 +20,12 @@ pub(super) fn of_parser(assembly: &Assembly, errors: &[Error]) -> Vec<Diagnostic
             Some(span) => refusal(assembly, &error.kind, range).at(span),
             // It is only a consequence if something else is wrong.
             None if !diagnostics.is_empty() => continue,
-            None => at_the_end(assembly, &error.kind).at(assembly.end()),
+            None => match &error.kind {
+                // The preprocessor does not say where.
+                ErrorKind::PreprocessorError(_) => refusal(assembly, &error.kind, None)
+                    .at(assembly.odd_character().or(assembly.end())),
+                kind => at_the_end(assembly, kind).at(assembly.end()),
+            },
         };
         let is_known = |known: &Diagnostic| {
             known.span == diagnostic.span
@@ -28,24 +34,36 @@ pub(super) fn of_parser(assembly: &Assembly, errors: &[Error]) -> Vec<Diagnostic
         if !diagnostics.iter().any(is_known) {
             diagnostics.push(diagnostic);
         }
+        // What the parser makes of a text that lost a part helps no one.
+        if matches!(error.kind, ErrorKind::PreprocessorError(_)) {
+            break;
+        }
     }
     diagnostics
+}
+
+/// A text that never mentions `mainImage`.
+pub(super) fn no_main_image(words: &HashSet<&str>) -> Diagnostic {
+    let hint = if words.contains("mainSound") {
+        "this looks like the text of a Sound tab; paste the Image tab"
+    } else if words.contains("main") {
+        "this looks like a plain fragment shader: ShaderToy code draws in `void mainImage(out vec4 \
+         fragColor, in vec2 fragCoord)` instead of `main` and `gl_FragColor`"
+    } else {
+        "ShaderToy code draws in `void mainImage(out vec4 fragColor, in vec2 fragCoord)`"
+    };
+    Diagnostic::error(
+        "no-main-image",
+        "there is no `mainImage(out vec4, in vec2)`",
+    )
+    .hint(hint)
 }
 
 /// An error without a place, or in the text that follows the author's, comes from what theirs lacks.
 fn at_the_end(assembly: &Assembly, kind: &ErrorKind) -> Diagnostic {
     match kind {
         ErrorKind::SemanticError(message) if message.contains("function 'mainImage'") => {
-            let hint = if assembly.text.contains("mainSound") {
-                "this looks like the text of a Sound tab; paste the Image tab"
-            } else {
-                "ShaderToy code draws in `void mainImage(out vec4 fragColor, in vec2 fragCoord)`"
-            };
-            Diagnostic::error(
-                "no-main-image",
-                "there is no `mainImage(out vec4, in vec2)`",
-            )
-            .hint(hint)
+            no_main_image(&HashSet::new())
         }
         ErrorKind::SemanticError(message) if message == "Function already defined" => {
             Diagnostic::error("redeclared", "there is a function `main`")
@@ -71,13 +89,7 @@ fn refusal(assembly: &Assembly, kind: &ErrorKind, range: Option<Range<usize>>) -
             Diagnostic::error("unsupported", format!("`{name}` cannot be used here yet"))
                 .hint("sampler parameters are not supported yet: read `iChannel0` … directly")
         }
-        ErrorKind::InvalidToken(_, expected) => {
-            let expected: Vec<String> = expected.iter().map(expectation).collect();
-            Diagnostic::error(
-                "syntax",
-                format!("expected {}, found `{found}`", list(&expected)),
-            )
-        }
+        ErrorKind::InvalidToken(_, expected) => unexpected(expected, found),
         ErrorKind::InvalidVersion(_) | ErrorKind::InvalidProfile(_) => version_refused(),
         ErrorKind::SemanticError(message) if message.starts_with("#version") => version_refused(),
         ErrorKind::NotImplemented(what) => {
@@ -104,9 +116,7 @@ fn refusal(assembly: &Assembly, kind: &ErrorKind, range: Option<Range<usize>>) -
             "redeclared",
             format!("`{name}` is already declared in this scope"),
         ),
-        ErrorKind::PreprocessorError(error) => {
-            Diagnostic::error("preprocessor", preprocessor(&format!("{error:?}")))
-        }
+        ErrorKind::PreprocessorError(error) => preprocessor(&format!("{error:?}"), found),
         ErrorKind::SemanticError(message) => semantic(message, found),
         ErrorKind::UnknownLayoutQualifier(_)
         | ErrorKind::UnsupportedMatrixWithTwoRowsInStd140 { .. }
@@ -115,6 +125,55 @@ fn refusal(assembly: &Assembly, kind: &ErrorKind, range: Option<Range<usize>>) -
         }
         ErrorKind::InternalError(message) => internal(message),
     }
+}
+
+fn unexpected(expected: &[ExpectedToken], found: &str) -> Diagnostic {
+    if let [ExpectedToken::Eof] = expected {
+        // Between functions only declarations can stand, and they begin with a type.
+        return match found {
+            "}" => Diagnostic::error("syntax", "there is one `}` too many"),
+            name => {
+                let message = format!("expected a declaration, found `{name}`");
+                let diagnostic = Diagnostic::error("syntax", message);
+                match other_name(name) {
+                    Some(glsl) => diagnostic.hint(format!("GLSL calls it `{glsl}`")),
+                    None => diagnostic.hint("is it a type that is spelled differently?"),
+                }
+            }
+        };
+    }
+    let tokens: Vec<String> = expected.iter().map(expectation).collect();
+    let message = format!("expected {}, found `{found}`", list(&tokens));
+    let diagnostic = Diagnostic::error("syntax", message);
+    match expected.contains(&ExpectedToken::Token(TokenValue::Semicolon)) {
+        true => diagnostic.hint("is a `;` missing before it?"),
+        false => diagnostic,
+    }
+}
+
+/// What GLSL ES 3.00 calls a type or function of HLSL or of older GLSL.
+fn other_name(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "float2" => "vec2",
+        "float3" => "vec3",
+        "float4" => "vec4",
+        "int2" => "ivec2",
+        "int3" => "ivec3",
+        "int4" => "ivec4",
+        "float2x2" => "mat2",
+        "float3x3" => "mat3",
+        "float4x4" => "mat4",
+        "half" => "float",
+        "lerp" => "mix",
+        "frac" => "fract",
+        "fmod" => "mod",
+        "rsqrt" => "inversesqrt",
+        "ddx" => "dFdx",
+        "ddy" => "dFdy",
+        "tex2D" | "texture2D" | "textureCube" => "texture",
+        "texture2DLod" | "textureCubeLod" => "textureLod",
+        _ => return None,
+    })
 }
 
 fn version_refused() -> Diagnostic {
@@ -145,6 +204,15 @@ fn semantic(message: &str, found: &str) -> Diagnostic {
         )
         .hint("convert the arguments to the types of the one you mean");
     }
+    if message.starts_with("Invalid swizzle") {
+        let field = message.split('"').nth(1).unwrap_or_default();
+        let message = format!("the vector has no component `{field}`");
+        return Diagnostic::error("unknown-field", message);
+    }
+    if message.contains("LHS position") || message.contains("left hand side") {
+        return Diagnostic::error("not-assignable", format!("`{found}` cannot be assigned to"))
+            .hint("constants, uniforms and results of functions keep their values");
+    }
     limitation(message)
         .unwrap_or_else(|| Diagnostic::error("semantic", sentence(message)).hint(MAYBE_LIMIT))
 }
@@ -154,13 +222,12 @@ fn unknown_function(name: &str) -> Diagnostic {
         "unknown-function",
         format!("there is no function `{name}` for these arguments"),
     );
-    match name {
-        "texture2D" | "textureCube" | "texture2DLod" => {
-            diagnostic.hint("GLSL ES 3.00 calls it `texture`, or `textureLod` with a level")
-        }
-        _ => {
-            diagnostic.hint("is it spelled right, defined above, and given arguments of its types?")
-        }
+    match other_name(name) {
+        Some(glsl) => diagnostic.hint(format!("GLSL ES 3.00 calls it `{glsl}`")),
+        None => diagnostic.hint(
+            "is it spelled right, defined above (no function can call itself), and given arguments \
+             of its types?",
+        ),
     }
 }
 
@@ -246,12 +313,6 @@ fn limitation(message: &str) -> Option<Diagnostic> {
         return Some(type_mismatch(
             "this operator does not work on these two types",
         ));
-    }
-    if has("LHS position") || has("left hand side") {
-        return Some(
-            Diagnostic::error("not-assignable", "this cannot be assigned to")
-                .hint("constants, uniforms and results of functions keep their values"),
-        );
     }
     if let Some(counts) = message.strip_prefix("Composing expects ") {
         return Some(
@@ -387,8 +448,8 @@ fn symbol(token: &TokenValue) -> Option<&'static str> {
 }
 
 /// The preprocessor crate names its errors by variant only.
-fn preprocessor(variant: &str) -> String {
-    match variant {
+fn preprocessor(variant: &str, found: &str) -> Diagnostic {
+    let message = match variant {
         "UnfinishedBlock" => "this `#if` has no `#endif`",
         "ElifOutsideOfBlock" => "this `#elif` has no `#if`",
         "ElseOutsideOfBlock" => "this `#else` has no `#if`",
@@ -411,7 +472,15 @@ fn preprocessor(variant: &str) -> String {
         "UnexpectedEndOfInput" | "UnexpectedNewLine" => {
             "the directive or macro call ends too early"
         }
-        other => return format!("the preprocessor refuses this: {other}"),
+        _ => "the preprocessor refuses this",
+    };
+    let diagnostic = Diagnostic::error("preprocessor", message);
+    match found {
+        "include" => diagnostic
+            .hint("paste the text instead, or name its file under `common` in a scene.toml"),
+        _ if variant == "UnexpectedCharacter" => {
+            diagnostic.hint("typographic quotes and dashes come from word processors")
+        }
+        _ => diagnostic,
     }
-    .to_owned()
 }

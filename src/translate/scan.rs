@@ -60,6 +60,21 @@ pub(super) fn scan(file: FileId, text: &str) -> Scan<'_> {
     scan
 }
 
+/// Where the first character stands, outside comments, that GLSL ES 3.00 (§3.1) does not know.
+pub(super) fn odd_character(text: &str) -> Option<usize> {
+    let mut at = 0;
+    while at < text.len() {
+        let (token, length) = next(&text[at..]);
+        if let Token::Other = token
+            && text[at..].starts_with(|c: char| !c.is_ascii() || "@$`'\"".contains(c))
+        {
+            return Some(at);
+        }
+        at += length;
+    }
+    None
+}
+
 enum Token {
     Blank,
     Word,

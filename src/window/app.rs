@@ -85,7 +85,10 @@ impl App {
     }
 
     fn open_window(&mut self, event_loop: &ActiveEventLoop) -> Result<(), PlayError> {
+        // The driver compiles here, which may take it long or for ever.
+        self.watchdog.begin();
         let stage = Stage::open(event_loop, &self.options)?;
+        self.watchdog.rest();
         report::show(&stage.session.warnings);
         if self.options.watch {
             self.start_watching(&stage.session.scene.read);

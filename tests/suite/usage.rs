@@ -75,7 +75,8 @@ fn a_warning_is_shown_and_the_scene_is_fine() {
 
 #[test]
 fn json_has_every_key_in_every_line() {
-    let folder = Folder::with("a.glsl", "float f() {\n    return lost;\n}\n");
+    let text = "float f() {\n    return lost;\n}\nvoid mainImage(out vec4 c, in vec2 p) {}\n";
+    let folder = Folder::with("a.glsl", text);
     folder.write("empty/notes.txt", "");
     let text = folder
         .run("check a.glsl empty --format json")
