@@ -76,12 +76,7 @@ impl<'a> Excerpt<'a> {
             }
             at
         };
-        let (mut start, mut end) = (boundary(start), boundary(end));
-        // What is missing at the end of a text is shown behind its last visible character.
-        if start == file.len() && start == end {
-            start = file.trim_end().len();
-            end = start;
-        }
+        let (start, mut end) = (boundary(start), boundary(end));
         let offset = file[..start].rfind('\n').map_or(0, |newline| newline + 1);
         let line_end = file[start..].find('\n').map_or(file.len(), |n| start + n);
         let line_end = start.max(file[..line_end].trim_end_matches('\r').len());

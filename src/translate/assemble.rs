@@ -89,10 +89,11 @@ impl Assembly {
         })
     }
 
-    /// The end of the author's text, where what is missing should have stood.
+    /// Behind the last visible character of the author's text, where what is missing should have stood.
     pub fn end(&self) -> Option<Span> {
         let segment = self.segments.last()?;
-        let end = (segment.whole.len() + segment.start) as u32;
+        let visible = self.text[segment.whole.clone()].trim_end().len();
+        let end = (visible + segment.start) as u32;
         Some(Span {
             file: segment.file,
             start: end,
