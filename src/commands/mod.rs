@@ -97,7 +97,7 @@ fn source(path: &Path) -> anyhow::Result<Source> {
     }
     let mut bytes = Vec::new();
     std::io::stdin()
-        .take(scene::MAX_FILE_BYTES + 1)
+        .take(scene::MAX_BYTES + 1)
         .read_to_end(&mut bytes)
         .map_err(|error| failure(format!("cannot read standard input: {error}"), ""))?;
     Ok(Source::Text {

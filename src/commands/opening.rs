@@ -58,7 +58,7 @@ pub fn watchdog(args: &GpuArgs) -> Watchdog {
     )
 }
 
-/// Ends the process without the driver's cleaning up, which would wait for the stuck frame.
+/// Ends the process without dropping the device, which would wait for the stuck frame.
 fn end_at_once(code: u8) -> ! {
     std::process::exit(code.into())
 }

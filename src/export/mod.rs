@@ -190,8 +190,10 @@ pub fn export(
             while !slot.is_ready(gpu)? {
                 summary.interrupted |= !progress(encoders.written);
             }
-            watchdog.begin();
+            // A slow disk is not the GPU's fault.
+            watchdog.rest();
             let mut image = encoders.blank()?;
+            watchdog.begin();
             let copy = Instant::now();
             let transferred = slot.take(gpu, &mut image)?;
             summary.read_back += copy.elapsed();

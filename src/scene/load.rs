@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use super::{Scene, file, folder};
 use crate::source::{Diagnostic, FileId, Report, SourceMap, Span};
 
-/// The most that is read of one file. The longest of some 141,000 passes published on the site has
-/// 2.4 MB; what is larger than this is not a shader.
-pub const MAX_FILE_BYTES: u64 = 16 << 20;
+/// The most text that a scene has, all its files together. The longest of some 141,000 passes
+/// published on the site has 2.4 MB; what is larger than this is not a shader.
+pub const MAX_BYTES: u64 = 16 << 20;
 
 /// Where a scene comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,6 +53,7 @@ pub fn load(source: &Source) -> Result<Scene, LoadError> {
     let mut loading = Loading {
         files: SourceMap::default(),
         read: Vec::new(),
+        bytes: 0,
         disk: match source {
             Source::Embedded => Disk::Embedded,
             _ => Disk::Real,
@@ -108,6 +109,8 @@ impl From<Diagnostic> for Failure {
 pub(super) struct Loading {
     pub files: SourceMap,
     read: Vec<PathBuf>,
+    /// How much text that is.
+    bytes: u64,
     disk: Disk,
 }
 
@@ -147,7 +150,7 @@ impl Loading {
     pub fn read(&mut self, path: &Path) -> Result<FileId, Failure> {
         self.depends_on(path);
         let bytes = match self.disk {
-            Disk::Real => read_at_most(path, MAX_FILE_BYTES + 1),
+            Disk::Real => read_at_most(path, MAX_BYTES + 1),
             Disk::Embedded => folder::embedded(path)
                 .map(|text| text.as_bytes().to_vec())
                 .ok_or_else(|| io::ErrorKind::NotFound.into()),
@@ -158,11 +161,12 @@ impl Loading {
 
     /// Takes bytes as a text, if they are one.
     pub fn accept(&mut self, name: &str, bytes: &[u8]) -> Result<FileId, Failure> {
-        if bytes.len() as u64 > MAX_FILE_BYTES {
+        self.bytes += bytes.len() as u64;
+        if self.bytes > MAX_BYTES {
             let file = self.files.add(name, "");
             return Err(Diagnostic::error(
                 "too-large",
-                format!("the text is larger than {} MiB", MAX_FILE_BYTES >> 20),
+                format!("the scene's text is larger than {} MiB", MAX_BYTES >> 20),
             )
             .at(self.files.whole(file))
             .hint("name a file of GLSL source text")

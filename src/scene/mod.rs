@@ -8,7 +8,7 @@ mod folder;
 mod load;
 mod noise;
 
-pub use load::{LoadError, LoadErrorKind, MAX_FILE_BYTES, Source, load};
+pub use load::{LoadError, LoadErrorKind, MAX_BYTES, Source, load};
 pub use noise::{NOISE_SIZE, noise_texture};
 
 use std::path::PathBuf;

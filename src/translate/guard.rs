@@ -13,7 +13,7 @@ use crate::source::Diagnostic;
 const STACK_BYTES: usize = 512 << 20;
 
 /// Real shaders take milliseconds; what takes this long expands without end.
-const TIME_LIMIT: Duration = Duration::from_secs(20);
+const TIME_LIMIT: Duration = Duration::from_secs(10);
 
 /// Why guarded code gave no result.
 pub(super) enum Failure {

@@ -99,3 +99,18 @@ fn a_file_outside_behind_a_link() {
         &["`image.glsl` lies outside the scene"],
     );
 }
+
+#[test]
+fn a_manifest_that_names_one_large_file_again_and_again() {
+    let folder = Folder::with("a/image.glsl", GOOD);
+    folder.write("a/large.glsl", "// filler\n".repeat(1 << 20));
+    let common = "\"large.glsl\", ".repeat(1000);
+    let manifest = format!("common = [{common}]\n[image]\nsource = \"image.glsl\"\n");
+    folder.write("a/scene.toml", manifest);
+    refused(
+        &folder,
+        "a",
+        1,
+        &["text is larger than 16 MiB", "a/large.glsl"],
+    );
+}
