@@ -294,7 +294,10 @@ pub(super) fn pick(
 ) -> Result<(Option<wgpu::Surface<'static>>, wgpu::Adapter), GpuError> {
     let mut found = Vec::new();
     for backends in backends() {
-        let (instance, surface) = opening(backends)?;
+        // An interface that is not there cannot make a surface either; another may.
+        let Ok((instance, surface)) = opening(backends) else {
+            continue;
+        };
         let mut adapters = enumerate(&instance, backends);
         found.extend(adapters.iter().map(|adapter| adapter.get_info().name));
         adapters.retain(|adapter| {
