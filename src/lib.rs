@@ -7,8 +7,8 @@
 //! ```
 //!
 //! [`scene::load`] reads it, [`translate::translate`] turns its GLSL into validated naga IR,
-//! [`render::Renderer`] draws it with wgpu; [`session::Session`] is all three, and [`export`] and
-//! [`window`] are what it is for. What is wrong with a scene comes back as
+//! `render::Renderer` draws it with wgpu; `session::Session` is all three, and `export` and
+//! `window` are what it is for. What is wrong with a scene comes back as
 //! [`source::Diagnostic`]s that point into the author's own files; [`report`] draws them.
 //!
 //! Without the feature `gpu` the steps up to [`translate`] remain, for checking scenes where nothing

@@ -1,6 +1,6 @@
 //! Scenes: what to draw, with every reference resolved, before any GPU is involved.
 //!
-//! [`load`] turns one form of input (a single file, a folder, a text) into a [`Scene`], or says what
+//! [`load()`] turns one form of input (a single file, a folder, a text) into a [`Scene`], or says what
 //! is wrong with it. After that nothing about a scene can fail.
 
 mod file;
