@@ -48,11 +48,10 @@ pub(super) fn scan(file: FileId, text: &str) -> Scan<'_> {
                     .hint("add `*/` where it should end"),
             ),
             Token::Word => {
-                let word = &text[at..at + length];
-                scan.words.insert(word);
-                limits.count(if word == "else" { b'e' } else { b'w' }, place);
+                scan.words.insert(&text[at..at + length]);
+                limits.count(&text[at..at + length], place);
             }
-            Token::Other => limits.count(text.as_bytes()[at], place),
+            Token::Other => limits.count(&text[at..at + length], place),
         }
         at += length;
     }
@@ -127,17 +126,17 @@ struct Limits {
 }
 
 impl Limits {
-    fn count(&mut self, token: u8, place: Span) {
+    fn count(&mut self, token: &str, place: Span) {
         self.statement += 1;
         match token {
-            b'(' | b'[' => self.nesting += 1,
-            b')' | b']' => self.nesting = self.nesting.saturating_sub(1),
-            b'{' => {
+            "(" | "[" => self.nesting += 1,
+            ")" | "]" => self.nesting = self.nesting.saturating_sub(1),
+            "{" => {
                 self.nesting += 1;
                 self.braces += 1;
                 self.statement = 0;
             }
-            b'}' => {
+            "}" => {
                 self.nesting = self.nesting.saturating_sub(1);
                 self.braces = self.braces.saturating_sub(1);
                 self.statement = 0;
@@ -145,10 +144,10 @@ impl Limits {
                     self.elses = 0;
                 }
             }
-            b',' => self.statement = 0,
+            "," => self.statement = 0,
             // The semicolons of a `for` header lie deeper than the braces around it.
-            b';' if self.nesting == self.braces => self.statement = 0,
-            b'e' => self.elses += 1,
+            ";" if self.nesting == self.braces => self.statement = 0,
+            "else" => self.elses += 1,
             _ => {}
         }
         let what = if self.nesting > MAX_NESTING {
