@@ -25,7 +25,12 @@ impl ReadBack {
     /// long the GPU drew, where the device can tell.
     pub fn new(gpu: &Gpu, size: UVec2, count: usize, timed: bool) -> Result<Self, GpuError> {
         let timed = timed && gpu.has_timestamps();
-        gpu.guarded("making the read-back buffers", || ReadBack {
+        let doing = "making the read-back buffers";
+        let bytes = u64::from(stride(size)) * u64::from(size.y) + TIMES_BYTES;
+        if bytes > gpu.device().limits().max_buffer_size {
+            return Err(GpuError::OutOfMemory { doing });
+        }
+        gpu.guarded(doing, || ReadBack {
             slots: (0..count).map(|_| Slot::new(gpu, size, timed)).collect(),
         })
     }
@@ -43,6 +48,11 @@ pub struct Slot {
     state: Arc<AtomicU8>,
 }
 
+/// Bytes from one row of a picture to the next in a buffer.
+fn stride(size: UVec2) -> u32 {
+    (4 * size.x).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT)
+}
+
 const PENDING: u8 = 0;
 const MAPPED: u8 = 1;
 const FAILED: u8 = 2;
@@ -56,7 +66,7 @@ pub struct Transferred {
 
 impl Slot {
     fn new(gpu: &Gpu, size: UVec2, timed: bool) -> Self {
-        let stride = (4 * size.x).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let stride = stride(size);
         let picture = u64::from(stride) * u64::from(size.y);
         Slot {
             size,
