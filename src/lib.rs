@@ -17,6 +17,7 @@
 #[cfg(feature = "gpu")]
 pub mod export;
 pub mod frame;
+pub mod glsl;
 pub mod output;
 #[cfg(feature = "gpu")]
 pub mod render;

@@ -1,68 +1,77 @@
-//! Puts the generated text in front of the author's, and finds the way back from a byte of the
-//! whole to a byte of theirs.
+//! Puts the generated text around the author's tokens, and finds the way back from a byte of the whole
+//! to a place in their files.
 
 use std::collections::HashSet;
 use std::fmt::Write as _;
 use std::ops::Range;
 
 use super::bindings::{self, Uniform};
-use super::scan;
-use crate::scene::{CHANNELS, Pass};
-use crate::source::{FileId, SourceMap, Span};
+use crate::glsl::preprocess::Token;
+use crate::scene::CHANNELS;
+use crate::source::{SourceMap, Span};
 
-/// One text for the front end: the preamble, every Common text, the pass's own, and `main`. (The site
-/// puts `main` first, behind a prototype; naga wants callees before their callers.)
-pub(super) struct Assembly {
+/// One text for naga's front end: the preamble, the author's tokens with macros expanded, and `main`.
+/// (The site puts `main` first, behind a prototype; naga wants callees before their callers.)
+pub(super) struct Assembly<'a> {
     pub text: String,
-    segments: Vec<Segment>,
+    files: &'a SourceMap,
+    /// The author's tokens, in the order of the text.
+    pieces: Vec<Piece>,
+    end: Span,
 }
 
-/// A run of the author's bytes.
-struct Segment {
-    /// Where it stands in the whole.
+/// Where a token of the author's stands in the whole.
+struct Piece {
     whole: Range<usize>,
-    file: FileId,
-    /// Where it begins in its file: behind the byte-order mark.
-    start: usize,
+    span: Span,
 }
 
-impl Assembly {
-    /// Assembles a pass; `words` are the identifiers that its texts use.
-    pub fn new(files: &SourceMap, pass: &Pass, words: &HashSet<&str>) -> Self {
-        let mut text = preamble(words);
-        let mut segments = Vec::new();
-        for &file in &pass.sources {
-            let verbatim = &files.get(file).text;
-            let body = verbatim.strip_prefix('\u{feff}').unwrap_or(verbatim);
+impl<'a> Assembly<'a> {
+    /// Assembles a pass of these tokens; `end` is where its text ends.
+    pub fn new(files: &'a SourceMap, tokens: &[Token<'_>], end: Span) -> Self {
+        let words = tokens.iter().map(|token| &*token.text).collect();
+        let mut text = preamble(&words);
+        let mut pieces = Vec::with_capacity(tokens.len());
+        for token in tokens {
             let start = text.len();
-            text.push_str(body);
-            segments.push(Segment {
+            text.push_str(&token.text);
+            pieces.push(Piece {
                 whole: start..text.len(),
-                file,
-                start: verbatim.len() - body.len(),
+                span: token.span,
             });
-            text.push('\n');
+            text.push(' ');
         }
+        text.push('\n');
         text.push_str(MAIN);
-        Assembly { text, segments }
+        Assembly {
+            text,
+            files,
+            pieces,
+            end,
+        }
     }
 
-    /// The place in the author's files that a range of the whole text stands for; `None` inside
-    /// generated text. A range that leaves its file is cut to it.
+    /// The place in the author's files that a range of the whole text stands for; `None` in generated
+    /// text. It runs from the first token to the last, unless macros have brought them from places
+    /// that are not in this order: then it is the first token.
     pub fn locate(&self, range: Range<usize>) -> Option<Span> {
-        let segment = self
-            .segments
-            .iter()
-            .find(|segment| segment.whole.contains(&range.start))?;
-        let offset = |at: usize| {
-            let inside = at.clamp(segment.whole.start, segment.whole.end);
-            (inside - segment.whole.start + segment.start) as u32
-        };
-        Some(Span {
-            file: segment.file,
-            start: offset(range.start),
-            end: offset(range.end),
-        })
+        let first = self
+            .pieces
+            .partition_point(|piece| piece.whole.end <= range.start);
+        let behind = self
+            .pieces
+            .partition_point(|piece| piece.whole.start < range.end);
+        let begins_before = range.start < self.pieces.first()?.whole.start;
+        let start = self.pieces.get(first).filter(|_| !begins_before)?.span;
+        match behind.checked_sub(1).and_then(|last| self.pieces.get(last)) {
+            Some(last) if last.span.file == start.file && last.span.end >= start.end => {
+                Some(Span {
+                    end: last.span.end,
+                    ..start
+                })
+            }
+            _ => Some(start),
+        }
     }
 
     /// The same for a place that naga names.
@@ -70,48 +79,28 @@ impl Assembly {
         self.locate(span.to_range()?)
     }
 
-    /// The first character of the author's that GLSL does not know.
-    pub fn odd_character(&self) -> Option<Span> {
-        self.segments.iter().find_map(|segment| {
-            let at = scan::odd_character(&self.text[segment.whole.clone()])?;
-            let start = segment.whole.start + at;
-            let character = self.text[start..].chars().next()?;
-            self.locate(start..start + character.len_utf8())
-        })
+    /// What the author wrote there.
+    pub fn written(&self, span: Span) -> &'a str {
+        let text = &self.files.get(span.file).text;
+        text.get(span.start as usize..span.end as usize)
+            .unwrap_or_default()
     }
 
     /// Where the author first writes a word.
     pub fn find(&self, word: &str) -> Option<Span> {
-        self.segments.iter().find_map(|segment| {
-            let at = self.text[segment.whole.clone()].find(word)?;
-            let start = segment.whole.start + at;
-            self.locate(start..start + word.len())
-        })
+        let is_word = |piece: &&Piece| &self.text[piece.whole.clone()] == word;
+        self.pieces.iter().find(is_word).map(|piece| piece.span)
     }
 
     /// Behind the last visible character of the author's text, where what is missing should have stood.
-    pub fn end(&self) -> Option<Span> {
-        let segment = self.segments.last()?;
-        let visible = self.text[segment.whole.clone()].trim_end().len();
-        let end = (visible + segment.start) as u32;
-        Some(Span {
-            file: segment.file,
-            start: end,
-            end,
-        })
+    pub fn end(&self) -> Span {
+        self.end
     }
 }
 
 /// Calls the author's code. The colour starts at 0 because WebGL clears what an `out` parameter holds
 /// on entry; alpha is ignored, as on the site.
-///
-/// On the site `main` stands ahead of the author's text, whose macros do not reach it.
 const MAIN: &str = "\
-#undef main
-#undef mainImage
-#undef void
-#undef vec4
-#undef gl_FragCoord
 void main() {
     vec4 vitrine_out = vec4(0.0);
     mainImage(vitrine_out, gl_FragCoord.xy);
@@ -121,7 +110,7 @@ void main() {
 
 /// Declarations of the uniforms and channels among `words`, and of the output.
 fn preamble(words: &HashSet<&str>) -> String {
-    let mut text = String::from("#version 450\n#define GL_ES 1\n#define HW_PERFORMANCE 1\n");
+    let mut text = String::from("#version 450\n");
     let uniforms: Vec<Uniform> = Uniform::ALL
         .into_iter()
         .filter(|uniform| words.contains(uniform.name()))
@@ -157,48 +146,48 @@ fn preamble(words: &HashSet<&str>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Source, load};
+    use crate::glsl::preprocess::preprocess;
 
-    fn assembly(text: &str) -> (SourceMap, Assembly) {
-        let scene = load(&Source::Text {
-            name: "a".to_owned(),
-            bytes: text.into(),
-        });
-        let scene = scene.expect("a scene");
-        let words = super::super::scan::scan(scene.image().sources[0], text).words;
-        let assembly = Assembly::new(&scene.files, scene.image(), &words);
-        (scene.files.clone(), assembly)
+    /// Assembles a text and hands it to a check.
+    fn with_assembly(text: &str, check: impl Fn(&Assembly<'_>)) {
+        let mut files = SourceMap::default();
+        let file = files.add("a", text);
+        let tokens = preprocess(&files, &[file], &[]).tokens;
+        check(&Assembly::new(&files, &tokens, files.whole(file)));
     }
 
     #[test]
     fn only_what_is_used_is_declared() {
-        let (_, none) = assembly("float x;");
-        assert!(!none.text.contains("uniform"), "{}", none.text);
-        let (_, some) = assembly("iTime iChannel2 /* iMouse */");
-        assert!(some.text.contains("{ float iTime; }"), "{}", some.text);
-        assert!(
-            some.text.contains("binding = 5) uniform texture2D"),
-            "{}",
-            some.text
-        );
-        assert!(!some.text.contains("iChannel0"), "{}", some.text);
+        with_assembly("float x;", |assembly| {
+            assert!(!assembly.text.contains("uniform"), "{}", assembly.text);
+        });
+        let text = "iTime iChannel2 /* iMouse */\n#if 0\niDate\n#endif";
+        with_assembly(text, |assembly| {
+            let text = &assembly.text;
+            assert!(text.contains("{ float iTime; }"), "{text}");
+            assert!(text.contains("binding = 5) uniform texture2D"), "{text}");
+            assert!(!text.contains("iChannel0"), "{text}");
+        });
     }
 
     #[test]
-    fn the_authors_text_stands_verbatim_and_can_be_found_again() {
-        let (files, assembly) = assembly("\u{feff}a\r\nb");
-        let at = assembly.text.find("a\r\nb").expect("verbatim");
-        let span = assembly.locate(at + 3..at + 4).expect("the author's");
-        let text = &files.get(span.file).text;
-        assert_eq!(&text[span.start as usize..span.end as usize], "b");
-        assert_eq!(assembly.locate(0..5), None, "generated text is nobody's");
-    }
-
-    #[test]
-    fn ranges_are_cut_to_their_file() {
-        let (files, assembly) = assembly("ab");
-        let start = assembly.text.find("ab").expect("verbatim");
-        let span = assembly.locate(start..start + 900).expect("the author's");
-        assert_eq!(span.end as usize, files.get(span.file).text.len());
+    fn places_are_the_authors() {
+        let text = "\u{feff}#define TWO b + c\r\na = /* … */ TWO;";
+        with_assembly(text, |assembly| {
+            let written = |part: &str| {
+                let at = assembly.text.find(part).expect("it is there");
+                let span = assembly.locate(at..at + part.len());
+                span.map(|span| assembly.written(span))
+            };
+            assert_eq!(written("a ="), Some("a ="));
+            assert_eq!(written("b + c"), Some("b + c"), "in the macro's definition");
+            assert_eq!(
+                written("a = b"),
+                Some("a"),
+                "not from the end to the beginning"
+            );
+            assert_eq!(written("#version"), None, "generated text is nobody's");
+            assert_eq!(written("void main"), None);
+        });
     }
 }

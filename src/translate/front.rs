@@ -21,7 +21,7 @@ const MAX_BLOCK_DEPTH: usize = 300;
 const MAX_VARIABLES: u32 = 1 << 20;
 
 /// Parses and validates a pass.
-pub(super) fn parse(assembly: &Assembly) -> Result<Module, Vec<Diagnostic>> {
+pub(super) fn parse(assembly: &Assembly<'_>) -> Result<Module, Vec<Diagnostic>> {
     let module = Frontend::default()
         .parse(&Options::from(ShaderStage::Fragment), &assembly.text)
         .map_err(|errors| refusal::of_parser(assembly, &errors.errors))?;
@@ -38,7 +38,7 @@ pub(super) fn validate(module: &Module) -> Result<ModuleInfo, Box<WithSpan<Valid
 
 /// Refuses inputs and outputs beside those that the preamble declares.
 pub(super) fn require_own_interface(
-    assembly: &Assembly,
+    assembly: &Assembly<'_>,
     module: &Module,
 ) -> Result<(), Diagnostic> {
     for (handle, variable) in module.global_variables.iter() {
@@ -63,7 +63,7 @@ pub(super) fn require_own_interface(
             _ => false,
         };
         if !is_ours {
-            let place = assembly.find(name).or(assembly.end());
+            let place = assembly.find(name).unwrap_or(assembly.end());
             return Err(refusal::foreign_interface(&format!("`{name}`")).at(place));
         }
     }
@@ -87,12 +87,12 @@ fn results<'a>(
 }
 
 /// Refuses what is valid and then defeats naga's writers or the stack.
-pub(super) fn require_writable(assembly: &Assembly, module: &Module) -> Result<(), Diagnostic> {
+pub(super) fn require_writable(assembly: &Assembly<'_>, module: &Module) -> Result<(), Diagnostic> {
     require_small_variables(assembly, module)?;
     for (_, function) in module.functions.iter() {
         for (block, depth) in blocks(&function.body) {
             for (statement, span) in block.span_iter() {
-                let place = assembly.locate_naga(*span).or(assembly.end());
+                let place = assembly.locate_naga(*span).unwrap_or(assembly.end());
                 if depth > MAX_BLOCK_DEPTH {
                     return Err(too_deep().at(place));
                 }
@@ -105,7 +105,7 @@ pub(super) fn require_writable(assembly: &Assembly, module: &Module) -> Result<(
     Ok(())
 }
 
-fn require_small_variables(assembly: &Assembly, module: &Module) -> Result<(), Diagnostic> {
+fn require_small_variables(assembly: &Assembly<'_>, module: &Module) -> Result<(), Diagnostic> {
     let mut layouter = Layouter::default();
     let sizes = layouter.update(module.to_ctx());
     sizes.map_err(|error| refusal::internal(&error.to_string()))?;
@@ -114,7 +114,7 @@ fn require_small_variables(assembly: &Assembly, module: &Module) -> Result<(), D
         total = total.saturating_add(layouter[ty].size);
         match total > MAX_VARIABLES {
             true => Err(refusal::too_many_variables(MAX_VARIABLES)
-                .at(assembly.locate_naga(place).or(assembly.end()))),
+                .at(assembly.locate_naga(place).unwrap_or(assembly.end()))),
             false => Ok(()),
         }
     };

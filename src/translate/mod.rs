@@ -12,9 +12,9 @@ mod assemble;
 pub mod bindings;
 mod front;
 mod guard;
+mod limits;
 mod program;
 mod refusal;
-mod scan;
 mod write;
 
 #[cfg(feature = "gpu")]
@@ -22,12 +22,11 @@ pub(crate) use guard::caught;
 pub use program::{ChannelUse, Functions, Program, UniformBlock};
 pub use write::{Language, write};
 
-use std::collections::HashSet;
-
 use assemble::Assembly;
 
+use crate::glsl::preprocess::{Preprocessed, preprocess};
 use crate::scene::{CHANNELS, Pass, PassKind, Scene};
-use crate::source::{Diagnostic, Report, Span};
+use crate::source::{Diagnostic, Report, SourceMap, Span};
 
 /// Translates every pass of a scene, in the scene's order.
 ///
@@ -52,28 +51,46 @@ pub fn translate(scene: &Scene) -> Result<Vec<Program>, Report> {
 }
 
 fn translate_pass(scene: &Scene, pass: &Pass) -> Result<Program, Vec<Diagnostic>> {
-    let mut words = HashSet::new();
-    let mut problems = Vec::new();
-    for &file in &pass.sources {
-        let scan = scan::scan(file, &scene.files.get(file).text);
-        words.extend(scan.words);
-        problems.extend(scan.problems);
-    }
-    if !problems.is_empty() {
-        return Err(problems);
-    }
-    let assembly = Assembly::new(&scene.files, pass, &words);
-    if !words.contains("mainImage") {
-        return Err(vec![refusal::no_main_image(&words).at(assembly.end())]);
-    }
-    let kind = pass.kind;
-    let mut program = guard::guarded(move || {
-        let module = front::parse(&assembly)?;
-        usable(kind, module, &assembly).map_err(|diagnostic| vec![diagnostic])
-    })
-    .unwrap_or_else(|failure| Err(vec![failure.diagnostic().at(own_text(scene, pass))]))?;
-    program.warnings = in_pass(pass, unbound_channels(scene, pass, &program)).collect();
+    let (files, own_pass) = (scene.files.clone(), pass.clone());
+    let mut program = guard::guarded(move || translate_text(&files, &own_pass))
+        .unwrap_or_else(|failure| Err(vec![failure.diagnostic().at(own_text(scene, pass))]))?;
+    program
+        .warnings
+        .extend(unbound_channels(scene, pass, &program));
+    program.warnings = in_pass(pass, program.warnings).collect();
     Ok(program)
+}
+
+fn translate_text(files: &SourceMap, pass: &Pass) -> Result<Program, Vec<Diagnostic>> {
+    let Preprocessed {
+        tokens,
+        diagnostics,
+    } = preprocess(files, &pass.sources, &[("HW_PERFORMANCE", "1")]);
+    if diagnostics.iter().any(Diagnostic::is_error) {
+        return Err(diagnostics);
+    }
+    limits::require_shallow(&tokens).map_err(|problem| vec![problem])?;
+    let assembly = Assembly::new(files, &tokens, end_of_text(files, pass));
+    if assembly.find("mainImage").is_none() {
+        return Err(vec![refusal::no_main_image(&assembly)]);
+    }
+    let module = front::parse(&assembly)?;
+    let program = usable(pass.kind, module, &assembly).map_err(|problem| vec![problem])?;
+    Ok(Program {
+        warnings: diagnostics,
+        ..program
+    })
+}
+
+/// Behind the last visible character of a pass.
+fn end_of_text(files: &SourceMap, pass: &Pass) -> Span {
+    let &own = pass.sources.last().expect("a pass has a text");
+    let end = files.get(own).text.trim_end().len() as u32;
+    Span {
+        file: own,
+        start: end,
+        end,
+    }
 }
 
 /// Keeps what the pass needs, and makes sure that drivers can be given it: naga's writers know limits
@@ -81,7 +98,7 @@ fn translate_pass(scene: &Scene, pass: &Pass) -> Result<Program, Vec<Diagnostic>
 fn usable(
     kind: PassKind,
     module: naga::Module,
-    assembly: &Assembly,
+    assembly: &Assembly<'_>,
 ) -> Result<Program, Diagnostic> {
     front::require_own_interface(assembly, &module)?;
     let program = Program::new(kind, module)?;

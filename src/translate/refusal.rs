@@ -1,8 +1,6 @@
 //! The refusals of naga's front end and validator, in the author's terms.
 
-use std::collections::HashSet;
 use std::error::Error as _;
-use std::ops::Range;
 
 use naga::WithSpan;
 use naga::front::glsl::{Error, ErrorKind, ExpectedToken, TokenValue};
@@ -12,41 +10,34 @@ use super::assemble::Assembly;
 use crate::source::Diagnostic;
 
 /// One diagnostic for each place; the front end repeats itself where it stumbles on.
-pub(super) fn of_parser(assembly: &Assembly, errors: &[Error]) -> Vec<Diagnostic> {
+pub(super) fn of_parser(assembly: &Assembly<'_>, errors: &[Error]) -> Vec<Diagnostic> {
     let mut diagnostics: Vec<Diagnostic> = Vec::new();
     for error in errors {
-        let range = error.meta.to_range();
-        let diagnostic = match range.clone().and_then(|range| assembly.locate(range)) {
-            Some(span) => refusal(assembly, &error.kind, range).at(span),
+        let place = error
+            .meta
+            .to_range()
+            .and_then(|range| assembly.locate(range));
+        let diagnostic = match place {
+            Some(span) => refusal(&error.kind, assembly.written(span)).at(span),
             // It is only a consequence if something else is wrong.
             None if !diagnostics.is_empty() => continue,
-            None => match &error.kind {
-                // The preprocessor does not say where.
-                ErrorKind::PreprocessorError(_) => refusal(assembly, &error.kind, None)
-                    .at(assembly.odd_character().or(assembly.end())),
-                kind => at_the_end(assembly, kind).at(assembly.end()),
-            },
+            None => at_the_end(assembly, &error.kind).at(assembly.end()),
         };
-        let is_known = |known: &Diagnostic| {
-            known.span == diagnostic.span
-                || (known.code == "version" && diagnostic.code == "version")
-        };
-        if !diagnostics.iter().any(is_known) {
+        if diagnostics
+            .iter()
+            .all(|known| known.span != diagnostic.span)
+        {
             diagnostics.push(diagnostic);
-        }
-        // What the parser makes of a text that lost a part helps no one.
-        if matches!(error.kind, ErrorKind::PreprocessorError(_)) {
-            break;
         }
     }
     diagnostics
 }
 
-/// A text that never mentions `mainImage`.
-pub(super) fn no_main_image(words: &HashSet<&str>) -> Diagnostic {
-    let hint = if words.contains("mainSound") {
+/// A text without a function `mainImage`.
+pub(super) fn no_main_image(assembly: &Assembly<'_>) -> Diagnostic {
+    let hint = if assembly.find("mainSound").is_some() {
         "this looks like the text of a Sound tab; paste the Image tab"
-    } else if words.contains("main") {
+    } else if assembly.find("main").is_some() {
         "this looks like a plain fragment shader: ShaderToy code draws in `void mainImage(out vec4 \
          fragColor, in vec2 fragCoord)` instead of `main` and `gl_FragColor`"
     } else {
@@ -56,21 +47,22 @@ pub(super) fn no_main_image(words: &HashSet<&str>) -> Diagnostic {
         "no-main-image",
         "there is no `mainImage(out vec4, in vec2)`",
     )
+    .at(assembly.end())
     .hint(hint)
 }
 
 /// An error without a place, or in the text that follows the author's, comes from what theirs lacks.
-fn at_the_end(assembly: &Assembly, kind: &ErrorKind) -> Diagnostic {
+fn at_the_end(assembly: &Assembly<'_>, kind: &ErrorKind) -> Diagnostic {
     match kind {
         ErrorKind::SemanticError(message) if message.contains("function 'mainImage'") => {
-            no_main_image(&HashSet::new())
+            no_main_image(assembly)
         }
         ErrorKind::SemanticError(message) if message == "Function already defined" => {
             Diagnostic::error("redeclared", "there is a function `main`")
                 .hint("ShaderToy code has a `mainImage` instead; the host brings `main`")
         }
         ErrorKind::EndOfFile | ErrorKind::InvalidToken(..) => too_early(),
-        kind => refusal(assembly, kind, None),
+        kind => refusal(kind, ""),
     }
 }
 
@@ -79,10 +71,8 @@ fn too_early() -> Diagnostic {
         .hint("a `}`, a `)` or a `;` is missing somewhere above")
 }
 
-fn refusal(assembly: &Assembly, kind: &ErrorKind, range: Option<Range<usize>>) -> Diagnostic {
-    let found = range
-        .and_then(|range| assembly.text.get(range))
-        .unwrap_or_default();
+/// `found` is what the author wrote at the place of the error.
+fn refusal(kind: &ErrorKind, found: &str) -> Diagnostic {
     match kind {
         ErrorKind::EndOfFile => too_early(),
         ErrorKind::InvalidToken(TokenValue::Identifier(name), _) if name.starts_with("sampler") => {
@@ -90,8 +80,6 @@ fn refusal(assembly: &Assembly, kind: &ErrorKind, range: Option<Range<usize>>) -
                 .hint("sampler parameters are not supported yet: read `iChannel0` … directly")
         }
         ErrorKind::InvalidToken(_, expected) => unexpected(expected, found),
-        ErrorKind::InvalidVersion(_) | ErrorKind::InvalidProfile(_) => version_refused(),
-        ErrorKind::SemanticError(message) if message.starts_with("#version") => version_refused(),
         ErrorKind::NotImplemented(what) => {
             Diagnostic::error("unsupported", format!("not supported yet: {what}"))
         }
@@ -116,9 +104,15 @@ fn refusal(assembly: &Assembly, kind: &ErrorKind, range: Option<Range<usize>>) -
             "redeclared",
             format!("`{name}` is already declared in this scope"),
         ),
-        ErrorKind::PreprocessorError(error) => preprocessor(&format!("{error:?}"), found),
+        // What is left to naga's own preprocessor is the reading of numbers.
+        ErrorKind::PreprocessorError(_) => {
+            Diagnostic::error("syntax", format!("`{found}` is not a number"))
+                .hint("write it as `1`, `1u`, `0x1F` or `1.0`, of no more than 32 bits")
+        }
         ErrorKind::SemanticError(message) => semantic(message, found),
-        ErrorKind::UnknownLayoutQualifier(_)
+        ErrorKind::InvalidVersion(_)
+        | ErrorKind::InvalidProfile(_)
+        | ErrorKind::UnknownLayoutQualifier(_)
         | ErrorKind::UnsupportedMatrixWithTwoRowsInStd140 { .. }
         | ErrorKind::UnsupportedF16MatrixInStd140 { .. } => {
             Diagnostic::error("unsupported", kind.to_string())
@@ -176,12 +170,6 @@ fn other_name(name: &str) -> Option<&'static str> {
     })
 }
 
-fn version_refused() -> Diagnostic {
-    Diagnostic::error("version", "`#version` cannot be given here")
-        .hint("remove the line: ShaderToy code is GLSL ES 3.00 already")
-}
-
-/// `found` is the author's text that the message is about.
 fn semantic(message: &str, found: &str) -> Diagnostic {
     // Vulkan's GLSL knows these words as types, so naga takes them for constructors.
     let old = ["texture2D", "textureCube"].iter().find(|name| {
@@ -265,13 +253,16 @@ pub(super) fn internal(message: &str) -> Diagnostic {
         .hint("this is a fault of the translator; a smaller or plainer piece of code may pass")
 }
 
-pub(super) fn of_validator(assembly: &Assembly, error: &WithSpan<ValidationError>) -> Diagnostic {
+pub(super) fn of_validator(
+    assembly: &Assembly<'_>,
+    error: &WithSpan<ValidationError>,
+) -> Diagnostic {
     // From the outermost (a whole function) to the innermost; the innermost is what to look at.
     let place = error
         .spans()
         .filter_map(|(span, _)| assembly.locate_naga(*span))
         .last()
-        .or(assembly.end());
+        .unwrap_or(assembly.end());
     let mut message = error.as_inner().to_string();
     let mut cause = error.as_inner().source();
     while let Some(inner) = cause {
@@ -445,42 +436,4 @@ fn symbol(token: &TokenValue) -> Option<&'static str> {
         TokenValue::Question => "?",
         _ => return None,
     })
-}
-
-/// The preprocessor crate names its errors by variant only.
-fn preprocessor(variant: &str, found: &str) -> Diagnostic {
-    let message = match variant {
-        "UnfinishedBlock" => "this `#if` has no `#endif`",
-        "ElifOutsideOfBlock" => "this `#elif` has no `#if`",
-        "ElseOutsideOfBlock" => "this `#else` has no `#if`",
-        "EndifOutsideOfBlock" => "this `#endif` has no `#if`",
-        "ElifAfterElse" => "`#elif` after `#else`",
-        "MoreThanOneElse" => "a second `#else` for the same `#if`",
-        "UnexpectedCharacter" => "there is a character that GLSL does not know",
-        "UnexpectedHash" => "a `#` that begins no directive",
-        "UnknownDirective" => "there is no such directive",
-        "ErrorDirective" => "the text stops here itself, with `#error`",
-        "DefineRedefined" => "this macro is already defined, differently",
-        "DuplicateParameter" => "two parameters of this macro have the same name",
-        "TooFewDefineArguments" => "this macro wants more arguments",
-        "TooManyDefineArguments" => "this macro wants fewer arguments",
-        "MacroNotDefined" => "this macro is not defined",
-        "RecursionLimitReached" => "macros expand too deeply here",
-        "DivisionByZero" | "RemainderByZero" => "division by zero in a directive",
-        "IntegerOverflow" => "this number does not fit in 32 bits",
-        "FloatParsingError" => "this is not a number",
-        "UnexpectedEndOfInput" | "UnexpectedNewLine" => {
-            "the directive or macro call ends too early"
-        }
-        _ => "the preprocessor refuses this",
-    };
-    let diagnostic = Diagnostic::error("preprocessor", message);
-    match found {
-        "include" => diagnostic
-            .hint("paste the text instead, or name its file under `common` in a scene.toml"),
-        _ if variant == "UnexpectedCharacter" => {
-            diagnostic.hint("typographic quotes and dashes come from word processors")
-        }
-        _ => diagnostic,
-    }
 }

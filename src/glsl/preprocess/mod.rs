@@ -1,0 +1,65 @@
+//! From text to tokens: comments, line continuation, directives, macros (GLSL ES 3.00, §3.3 to §3.5).
+//!
+//! Where the specification leaves room, ANGLE decides, because WebGL2 is what authors know. Every
+//! token remembers where it was written. Work and memory are bounded whatever the text: macros that
+//! expand without end are an error.
+
+mod condition;
+mod directive;
+mod expand;
+mod lexer;
+
+pub use lexer::{Kind, Token};
+
+use crate::source::{Diagnostic, FileId, SourceMap};
+use directive::Directives;
+use expand::Expansion;
+
+/// The most tokens that are looked at, those in macros counted each time they are expanded. The
+/// largest shader published on the site has fewer than a million.
+const MAX_TOKENS: usize = 8 << 20;
+
+/// What the preprocessor makes of a text.
+#[derive(Debug)]
+pub struct Preprocessed<'a> {
+    /// The tokens that are left for the parser.
+    pub tokens: Vec<Token<'a>>,
+    /// What is wrong, in the order of the text. Tokens are not to be relied on if any is an error.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Preprocesses files as if they were one text. `defines` are macros that hold from the start, as
+/// name and number; redefining one is an error.
+pub fn preprocess<'a>(
+    files: &'a SourceMap,
+    units: &[FileId],
+    defines: &[(&'a str, &'a str)],
+) -> Preprocessed<'a> {
+    let mut source = Directives::new(files, units, defines);
+    let mut expansion = Expansion::of_text();
+    let tokens: Vec<_> = std::iter::from_fn(|| expansion.next(&mut source)).collect();
+    let mut diagnostics = source.into_diagnostics();
+    let is_odd = |token: &&Token<'_>| token.kind == Kind::Odd || token.is("#");
+    diagnostics.extend(tokens.iter().find(is_odd).map(odd_character));
+    Preprocessed {
+        tokens,
+        diagnostics,
+    }
+}
+
+fn odd_character(token: &Token<'_>) -> Diagnostic {
+    let character = token.text.chars().next().unwrap_or(' ');
+    let message = format!(
+        "the character `{}` means nothing here",
+        character.escape_debug()
+    );
+    let diagnostic = Diagnostic::error("preprocessor", message).at(token.span);
+    match character {
+        '#' => diagnostic.hint("a directive stands on a line of its own; GLSL cannot paste tokens"),
+        _ if character.is_ascii() => diagnostic,
+        _ => diagnostic.hint("typographic quotes and dashes come from word processors"),
+    }
+}
+
+#[cfg(test)]
+mod tests;
