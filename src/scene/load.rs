@@ -7,7 +7,7 @@ use crate::source::{Diagnostic, FileId, Report, SourceMap, Span};
 
 /// The most text that a scene has, all its files together. The longest of some 141,000 passes
 /// published on the site has 2.4 MB; what is larger than this is not a shader.
-pub const MAX_BYTES: u64 = 16 << 20;
+pub const MAX_BYTES: u64 = 8 << 20;
 
 /// Where a scene comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]

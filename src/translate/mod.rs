@@ -1,9 +1,9 @@
 //! From a [`Scene`] to [`Program`]s: ShaderToy's conventions around a GLSL front end.
 //!
-//! The author's text goes in verbatim, behind a generated preamble. What comes out is validated naga
-//! IR that reads exactly the uniforms and channels in its [`Program::uniforms`] and
-//! [`Program::channels`], bound as [`bindings`] says. Every complaint points into the author's own
-//! files. No text, however hostile, makes this panic or run for ever.
+//! The author's text is never touched: its tokens, macros expanded, stand between a generated preamble
+//! and a `main`. What comes out is validated naga IR that reads exactly the uniforms and channels in
+//! its [`Program::uniforms`] and [`Program::channels`], bound as [`bindings`] says. Every complaint
+//! points into the author's own files. No text, however hostile, makes this panic or run for ever.
 //!
 //! Limits of this version: the GLSL is parsed by naga's own front end, which refuses parts of
 //! GLSL ES 3.00 (sampler parameters above all) and accepts some things that WebGL2 refuses.

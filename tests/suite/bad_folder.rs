@@ -111,6 +111,6 @@ fn a_manifest_that_names_one_large_file_again_and_again() {
         &folder,
         "a",
         1,
-        &["text is larger than 16 MiB", "a/large.glsl"],
+        &["text is larger than 8 MiB", "a/large.glsl"],
     );
 }

@@ -111,7 +111,7 @@ fn an_array_beyond_any_driver() {
 #[test]
 fn a_file_beyond_all_shaders() {
     let filler = "// filler\n".repeat((vitrine::scene::MAX_BYTES / 10) as usize);
-    text_refused(GOOD.to_owned() + &filler, &["text is larger than 16 MiB"]);
+    text_refused(GOOD.to_owned() + &filler, &["text is larger than 8 MiB"]);
 }
 
 #[test]

@@ -3,7 +3,7 @@ use std::rc::Rc;
 
 use super::expand::{Macro, Macros};
 use super::lexer::{Kind, Lexer, Token};
-use super::{MAX_TOKENS, condition};
+use super::{MAX_EXPANDED, condition};
 use crate::source::{Diagnostic, FileId, SourceMap, Span};
 
 /// The text with its directives obeyed: definitions are in force, skipped lines are gone.
@@ -48,7 +48,7 @@ impl<'a> Directives<'a> {
             macros: Macros::new(),
             conditionals: Vec::new(),
             diagnostics: Vec::new(),
-            budget: MAX_TOKENS,
+            budget: MAX_EXPANDED,
             stopped: false,
         };
         if let Some(&first) = units.first() {
@@ -142,7 +142,7 @@ impl<'a> Directives<'a> {
 
     /// The next token outside directives and skipped parts.
     pub fn next(&mut self) -> Option<Token<'a>> {
-        loop {
+        while !self.stopped {
             let Some(token) = self.lex() else {
                 self.require_endifs();
                 return None;
@@ -151,9 +151,6 @@ impl<'a> Directives<'a> {
                 self.at_line_start = true;
             } else if self.at_line_start && token.is("#") {
                 self.directive();
-                if self.stopped {
-                    return None;
-                }
             } else {
                 self.at_line_start = false;
                 if !self.is_skipping() {
@@ -161,6 +158,7 @@ impl<'a> Directives<'a> {
                 }
             }
         }
+        None
     }
 
     /// The next token of the files, a line end behind each of them.

@@ -126,12 +126,9 @@ impl<'a> Expansion<'a> {
 
     /// The next token, macros not expanded.
     fn pull(&mut self, source: &mut Directives<'a>) -> Option<Token<'a>> {
-        if !source.spend(1) {
-            return None;
-        }
         while let Some(context) = self.contexts.last_mut() {
             if let Some(token) = context.rest.pop() {
-                return Some(token);
+                return source.spend(1).then_some(token);
             }
             let used_up = self.contexts.pop().and_then(|context| context.name);
             match (&mut self.ending, used_up) {
@@ -142,7 +139,7 @@ impl<'a> Expansion<'a> {
         }
         match &mut self.input {
             Input::Text => source.next(),
-            Input::List(list) => list.pop(),
+            Input::List(list) => list.pop().filter(|_| source.spend(1)),
         }
     }
 

@@ -150,7 +150,7 @@ impl<'a> Lexer<'a> {
         Some(Token {
             kind,
             text: match raw.contains('\\') && kind != Kind::Odd {
-                true => Cow::Owned(raw.replace("\\\r\n", "").replace(['\\', '\r', '\n'], "")),
+                true => Cow::Owned(raw.replace(['\\', '\r', '\n'], "")),
                 false => Cow::Borrowed(raw),
             },
             span: self.span(start),
