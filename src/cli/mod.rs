@@ -43,6 +43,11 @@ const SCENE_HELP: &str = "A file of ShaderToy GLSL, a scene folder, or `-` for s
 
 #[cfg(feature = "window")]
 #[derive(Debug, Args)]
+#[command(after_help = "Keys:\n  \
+    space, pause  stop time, go on       S       save the picture as PNG\n  \
+    . ,           a frame on, back       F       full screen\n  \
+    R             back to the start      Ctrl+V  play the clipboard's text\n  \
+    Esc           leave                  mouse   is iMouse; drop a file to open it")]
 pub struct RunArgs {
     #[arg(help = format!("{SCENE_HELP} [default: a scene that comes with the program]"))]
     pub scene: Option<PathBuf>,

@@ -14,8 +14,8 @@ use vitrine::render::Gpu;
 use vitrine::report;
 use vitrine::session::Session;
 
-use super::opening::{adapter_choice, explain, gpu_failure, watchdog};
-use super::{INTERRUPTED, failure, source, unwritable};
+use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
+use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, source, unwritable};
 use crate::cli::ExportArgs;
 
 /// How often progress is told where there is no terminal.
@@ -26,6 +26,9 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     // What cannot be written is refused before anything is started.
     job.check_output().map_err(explain_export)?;
     let source = source(&args.scene)?;
+    if !can_run(&source)? {
+        return Ok(SCENE_HAS_PROBLEMS.into());
+    }
     let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;
     let driver = started.elapsed();
     let watchdog = watchdog(&args.gpu);

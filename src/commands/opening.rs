@@ -4,15 +4,28 @@ use std::time::Duration;
 
 use vitrine::render::{AdapterChoice, GpuError, Watchdog};
 use vitrine::report;
+use vitrine::scene::Source;
 use vitrine::session::OpenError;
 
-use super::{HOST_FAILED, SCENE_HAS_PROBLEMS, failure, unreadable};
+use super::{HOST_FAILED, SCENE_HAS_PROBLEMS, Translation, failure, translated, unreadable};
 use crate::cli::GpuArgs;
 
 pub fn adapter_choice(args: &GpuArgs) -> AdapterChoice {
     match &args.adapter {
         Some(name) => AdapterChoice::from_name(name),
         None => AdapterChoice::Auto,
+    }
+}
+
+/// Whether a scene loads and translates; if not, its problems are printed. Asked before a driver is
+/// started and a window opened, which take far longer.
+pub fn can_run(source: &Source) -> anyhow::Result<bool> {
+    match translated(source)? {
+        Translation::Done(..) => Ok(true),
+        Translation::Problems(report) => {
+            report::show(&report);
+            Ok(false)
+        }
     }
 }
 

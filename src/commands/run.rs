@@ -1,12 +1,11 @@
 use std::process::ExitCode;
 
 use glam::UVec2;
-use vitrine::report;
 use vitrine::scene::Source;
 use vitrine::window::{self, Options, PlayError};
 
-use super::opening::{adapter_choice, explain, gpu_failure, watchdog};
-use super::{SCENE_HAS_PROBLEMS, Translation, failure, source, translated};
+use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
+use super::{SCENE_HAS_PROBLEMS, failure, source};
 use crate::cli::RunArgs;
 
 pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
@@ -14,9 +13,7 @@ pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
         Some(path) => source(path)?,
         None => Source::Embedded,
     };
-    // A scene that cannot run is told about before a window opens and closes again.
-    if let Translation::Problems(report) = translated(&source)? {
-        report::show(&report);
+    if !can_run(&source)? {
         return Ok(SCENE_HAS_PROBLEMS.into());
     }
     let options = Options {
