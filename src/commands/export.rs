@@ -29,8 +29,9 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     if !can_run(&source)? {
         return Ok(SCENE_HAS_PROBLEMS.into());
     }
+    let opening = Instant::now();
     let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;
-    let driver = started.elapsed();
+    let driver = opening.elapsed();
     let watchdog = watchdog(&args.gpu);
     watchdog.begin();
     let session = match Session::open(&gpu, &source) {
