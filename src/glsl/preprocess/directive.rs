@@ -417,15 +417,7 @@ impl<'a> Directives<'a> {
     /// `#line` changes what `__LINE__` is in the lines that follow.
     fn line_directive(&mut self, directive: &Token<'a>, mut line: Vec<Token<'a>>) {
         // The second of two numbers names a file; it changes nothing here.
-        if let [
-            Token {
-                kind: Kind::Number, ..
-            },
-            Token {
-                kind: Kind::Number, ..
-            },
-        ] = line[..]
-        {
+        if line.len() == 2 && line.iter().all(|token| token.kind == Kind::Number) {
             line.pop();
         }
         match condition::value(self, directive, line) {

@@ -28,8 +28,8 @@ pub struct Preprocessed<'a> {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Preprocesses files as if they were one text. `defines` are macros that hold from the start, as
-/// name and number; redefining one is an error.
+/// Preprocesses files as if they were one text that begins with a `#define` for each of `defines`, a
+/// name and a number.
 pub fn preprocess<'a>(
     files: &'a SourceMap,
     units: &[FileId],
