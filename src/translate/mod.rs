@@ -54,9 +54,6 @@ fn translate_pass(scene: &Scene, pass: &Pass) -> Result<Program, Vec<Diagnostic>
     let (files, own_pass) = (scene.files.clone(), pass.clone());
     let mut program = guard::guarded(move || translate_text(&files, &own_pass))
         .unwrap_or_else(|failure| Err(vec![failure.diagnostic().at(own_text(scene, pass))]))?;
-    program
-        .warnings
-        .extend(unbound_channels(scene, pass, &program));
     program.warnings = in_pass(pass, program.warnings).collect();
     Ok(program)
 }
@@ -64,7 +61,7 @@ fn translate_pass(scene: &Scene, pass: &Pass) -> Result<Program, Vec<Diagnostic>
 fn translate_text(files: &SourceMap, pass: &Pass) -> Result<Program, Vec<Diagnostic>> {
     let Preprocessed {
         tokens,
-        diagnostics,
+        mut diagnostics,
     } = preprocess(files, &pass.sources, &[("HW_PERFORMANCE", "1")]);
     if diagnostics.iter().any(Diagnostic::is_error) {
         return Err(diagnostics);
@@ -76,6 +73,7 @@ fn translate_text(files: &SourceMap, pass: &Pass) -> Result<Program, Vec<Diagnos
     }
     let module = front::parse(&assembly)?;
     let program = usable(pass.kind, module, &assembly).map_err(|problem| vec![problem])?;
+    diagnostics.extend(unbound_channels(pass, &program, &assembly));
     Ok(Program {
         warnings: diagnostics,
         ..program
@@ -124,7 +122,7 @@ fn own_text(scene: &Scene, pass: &Pass) -> Option<Span> {
     })
 }
 
-fn unbound_channels(scene: &Scene, pass: &Pass, program: &Program) -> Vec<Diagnostic> {
+fn unbound_channels(pass: &Pass, program: &Program, assembly: &Assembly<'_>) -> Vec<Diagnostic> {
     (0..CHANNELS)
         .filter(|&channel| program.channels[channel].texture && pass.channels[channel].is_none())
         .map(|channel| {
@@ -133,21 +131,10 @@ fn unbound_channels(scene: &Scene, pass: &Pass, program: &Program) -> Vec<Diagno
                 "unbound-channel",
                 format!("`{name}` is read but nothing is bound to it: it reads (0, 0, 0, 1)"),
             )
-            .at(first_use(scene, pass, name))
+            .at(assembly.find(name))
             .hint(format!(
                 "bind it in a scene folder's scene.toml: {name} = {{ procedural = \"noise\" }}"
             ))
         })
         .collect()
-}
-
-fn first_use(scene: &Scene, pass: &Pass, name: &str) -> Option<Span> {
-    pass.sources.iter().find_map(|&file| {
-        let at = scene.files.get(file).text.find(name)?;
-        Some(Span {
-            file,
-            start: at as u32,
-            end: (at + name.len()) as u32,
-        })
-    })
 }

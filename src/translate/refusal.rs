@@ -104,11 +104,8 @@ fn refusal(kind: &ErrorKind, found: &str) -> Diagnostic {
             "redeclared",
             format!("`{name}` is already declared in this scope"),
         ),
-        // What is left to naga's own preprocessor is the reading of numbers.
-        ErrorKind::PreprocessorError(_) => {
-            Diagnostic::error("syntax", format!("`{found}` is not a number"))
-                .hint("write it as `1`, `1u`, `0x1F` or `1.0`, of no more than 32 bits")
-        }
+        // Nothing is left to naga's own preprocessor to find fault with.
+        ErrorKind::PreprocessorError(error) => internal(&format!("{error:?}")),
         ErrorKind::SemanticError(message) => semantic(message, found),
         ErrorKind::InvalidVersion(_)
         | ErrorKind::InvalidProfile(_)

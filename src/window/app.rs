@@ -385,7 +385,6 @@ impl ApplicationHandler<Wake> for App {
         if !is_busy {
             self.watchdog.rest();
         }
-        let moving = !self.clock.is_paused() || stage.stale || stage.is_unpresented();
         let now = Instant::now();
         let wants_redraw = stage.wants_present(now) || stage.wants_frame(&self.clock, now);
         event_loop.set_control_flow(if wants_redraw {
@@ -393,10 +392,10 @@ impl ApplicationHandler<Wake> for App {
             ControlFlow::Wait
         } else if is_busy {
             ControlFlow::WaitUntil(now + GLANCE)
-        } else if moving {
-            ControlFlow::WaitUntil(stage.next_frame)
         } else {
-            ControlFlow::Wait
+            stage
+                .next_event(&self.clock)
+                .map_or(ControlFlow::Wait, ControlFlow::WaitUntil)
         });
     }
 }

@@ -34,6 +34,8 @@ pub(super) struct Stage {
     pub stale: bool,
     /// When the next frame is due, at the earliest.
     pub next_frame: Instant,
+    /// When to try presenting again, after the window took no picture.
+    present_after: Instant,
     presenter: Presenter,
     options: Options,
     /// Whether the target holds a frame that the window has not been given.
@@ -72,6 +74,7 @@ impl Stage {
             shown: None,
             stale: true,
             next_frame: Instant::now(),
+            present_after: Instant::now(),
             presenter,
             options: options.clone(),
             unpresented: false,
@@ -96,12 +99,15 @@ impl Stage {
 
     /// Whether a frame that was drawn should be given to the window now.
     pub fn wants_present(&self, now: Instant) -> bool {
-        self.unpresented && now >= self.next_frame && !(self.presents_late() && self.is_busy())
+        self.unpresented && now >= self.present_after && !(self.presents_late() && self.is_busy())
     }
 
-    /// Whether a frame waits to be given to the window.
-    pub fn is_unpresented(&self) -> bool {
-        self.unpresented
+    /// When there is something to do again, if time alone decides that.
+    pub fn next_event(&self, clock: &Clock) -> Option<Instant> {
+        match self.unpresented {
+            true => Some(self.present_after),
+            false => (!clock.is_paused() || self.stale).then_some(self.next_frame),
+        }
     }
 
     /// Drivers on the CPU do not return from presenting until the frame is drawn. The event loop
@@ -162,7 +168,7 @@ impl Stage {
         self.window.pre_present_notify();
         match self.presenter.present(&self.gpu, &self.target)? {
             Presented::Shown => self.unpresented = false,
-            Presented::Skipped => self.next_frame = Instant::now() + AFTER_SKIP,
+            Presented::Skipped => self.present_after = Instant::now() + AFTER_SKIP,
         }
         self.gpu.check()?;
         Ok(())

@@ -59,13 +59,14 @@ fn check_finds_nothing_wrong_with_the_scenes() {
 
 #[test]
 fn a_warning_is_shown_and_the_scene_is_fine() {
-    let text = "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n";
+    let text = "// iChannel0 is the sea.\n\
+                void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n";
     let folder = Folder::with("a.glsl", text);
     folder
         .run("check a.glsl")
         .exits(0)
         .says("warning[unbound-channel]: `iChannel0` is read but nothing is bound to it")
-        .says("a.glsl:1:53")
+        .says("a.glsl:2:53")
         .says("help: bind it in a scene folder's scene.toml")
         .says("a.glsl: fine");
     let json = folder.run("check a.glsl --format json").exits(0).text();

@@ -8,6 +8,7 @@ mod condition;
 mod directive;
 mod expand;
 mod lexer;
+mod number;
 
 pub use lexer::{Kind, Token};
 
@@ -41,10 +42,22 @@ pub fn preprocess<'a>(
     let mut diagnostics = source.into_diagnostics();
     let is_odd = |token: &&Token<'_>| token.kind == Kind::Odd || token.is("#");
     diagnostics.extend(tokens.iter().find(is_odd).map(odd_character));
+    let is_bad_number =
+        |token: &&Token<'_>| token.kind == Kind::Number && !number::is_well_formed(&token.text);
+    diagnostics.extend(tokens.iter().filter(is_bad_number).map(bad_number));
     Preprocessed {
         tokens,
         diagnostics,
     }
+}
+
+fn bad_number(token: &Token<'_>) -> Diagnostic {
+    Diagnostic::error(
+        "invalid-number",
+        format!("`{}` is not a number", token.text),
+    )
+    .at(token.span)
+    .hint("write it as `1`, `1u`, `0x1F` or `1.0`, whole numbers with no more than 32 bits")
 }
 
 fn odd_character(token: &Token<'_>) -> Diagnostic {
