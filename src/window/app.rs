@@ -146,7 +146,10 @@ impl App {
 
     /// Opens a scene on another thread; the answer is [`Wake::Opened`].
     fn open_aside(&mut self, source: Source, saved: Option<Instant>) {
-        let Some(stage) = &self.stage else { return };
+        let Some(stage) = &mut self.stage else {
+            return;
+        };
+        stage.set_opening(true);
         let (gpu, wakes) = (Arc::clone(&stage.gpu), self.wakes.clone());
         self.opening = Opening::Busy;
         self.latest_opening += 1;
@@ -177,6 +180,9 @@ impl App {
     fn opened(&mut self, opened: Opened) -> Result<(), PlayError> {
         if opened.number != self.latest_opening {
             return Ok(());
+        }
+        if let Some(stage) = &mut self.stage {
+            stage.set_opening(false);
         }
         let opening = std::mem::replace(&mut self.opening, Opening::Idle);
         let is_new = opened.source != self.options.source;

@@ -19,6 +19,10 @@ const FRAMES_UNDER_WAY: u32 = 2;
 /// When to try again after the window took no picture, because it is hidden perhaps.
 const AFTER_SKIP: Duration = Duration::from_millis(16);
 
+/// How long a driver on the CPU is left to compile a new scene undisturbed: a frame of the old one would
+/// take its cores, and be in the way of the new one's first.
+const HUSH: Duration = Duration::from_millis(250);
+
 /// How often the title bar is renewed while time runs.
 const TITLE_EVERY: Duration = Duration::from_millis(250);
 
@@ -83,6 +87,15 @@ impl Stage {
             problem: None,
             titled: None,
         })
+    }
+
+    /// Another scene is being opened, or has been.
+    pub fn set_opening(&mut self, is_opening: bool) {
+        let now = Instant::now();
+        self.next_frame = match is_opening && self.gpu.is_cpu() {
+            true => self.next_frame.max(now + HUSH),
+            false => self.next_frame.min(now),
+        };
     }
 
     /// Whether the GPU is drawing.
