@@ -3,10 +3,10 @@
 use std::io::Write as _;
 
 use annotate_snippets::renderer::DEFAULT_TERM_WIDTH;
-use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use annotate_snippets::{Annotation, AnnotationKind, Level, Renderer, Snippet};
 use serde::Serialize;
 
-use crate::source::{Diagnostic, Location, Report, Severity};
+use crate::source::{Diagnostic, Location, Report, Severity, Span};
 
 /// Writes a line to standard error, with colours where it is a terminal. That nobody can read it any
 /// more is no reason to stop.
@@ -34,22 +34,30 @@ pub fn human(report: &Report) -> String {
             .id(diagnostic.code);
         let mut group = annotate_snippets::Group::with_title(title);
         if let Some(span) = diagnostic.span {
-            let file = report.files.get(span.file);
-            let excerpt = Excerpt::around(&file.text, span.start as usize, span.end as usize);
-            group = group.element(
-                Snippet::source(excerpt.text)
-                    .line_start(file.location(excerpt.offset as u32).line)
-                    .path(printable(&file.name))
-                    .annotation(AnnotationKind::Primary.span(excerpt.mark)),
-            );
+            group = group.element(snippet(report, span));
         }
         if let Some(hint) = &diagnostic.hint {
             group = group.element(Level::HELP.message(printable(hint)));
         }
-        text.push_str(&renderer.render(&[group]));
+        let notes = diagnostic.notes.iter().map(|(span, note)| {
+            let title = Level::NOTE.secondary_title(printable(note));
+            annotate_snippets::Group::with_title(title).element(snippet(report, *span))
+        });
+        let groups: Vec<_> = std::iter::once(group).chain(notes).collect();
+        text.push_str(&renderer.render(&groups));
         text.push('\n');
     }
     text
+}
+
+/// The line that a place is on, with a mark below the place.
+fn snippet(report: &Report, span: Span) -> Snippet<'_, Annotation<'_>> {
+    let file = report.files.get(span.file);
+    let excerpt = Excerpt::around(&file.text, span.start as usize, span.end as usize);
+    Snippet::source(excerpt.text)
+        .line_start(file.location(excerpt.offset as u32).line)
+        .path(printable(&file.name))
+        .annotation(AnnotationKind::Primary.span(excerpt.mark))
 }
 
 /// Replaces what a terminal would obey.
@@ -89,40 +97,77 @@ impl<'a> Excerpt<'a> {
     }
 }
 
-#[derive(Serialize)]
-struct Line<'a> {
-    file: Option<&'a str>,
-    line: Option<usize>,
-    column: Option<usize>,
-    end_line: Option<usize>,
-    end_column: Option<usize>,
-    severity: &'static str,
-    message: &'a str,
-    pass: Option<&'a str>,
-    code: &'static str,
-    hint: Option<&'a str>,
+/// A diagnostic as tools are told of it. Lines and columns start at 1 and count characters; the end
+/// is one past the last character.
+#[derive(Clone, Debug, Serialize)]
+pub struct Entry<'a> {
+    /// The file that it points into.
+    pub file: Option<&'a str>,
+    /// Where in it.
+    pub line: Option<usize>,
+    /// Where in that line.
+    pub column: Option<usize>,
+    /// Where the marked text ends.
+    pub end_line: Option<usize>,
+    /// Where in that line.
+    pub end_column: Option<usize>,
+    /// `error` or `warning`.
+    pub severity: &'static str,
+    /// What is wrong.
+    pub message: &'a str,
+    /// The pass that it concerns.
+    pub pass: Option<&'a str>,
+    /// The kind of problem.
+    pub code: &'static str,
+    /// What to do about it.
+    pub hint: Option<&'a str>,
+    /// Other places that belong to it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<Note<'a>>,
 }
 
-/// One JSON object for each diagnostic, each on a line of its own. Lines and columns start at 1 and
-/// count characters; the end is one past the last character.
+/// A place that belongs to a diagnostic.
+#[derive(Clone, Debug, Serialize)]
+pub struct Note<'a> {
+    /// The file that it points into.
+    pub file: &'a str,
+    /// Where in it.
+    pub line: usize,
+    /// Where in that line.
+    pub column: usize,
+    /// What is there.
+    pub message: &'a str,
+}
+
+/// One JSON object for each diagnostic, each on a line of its own, with the keys of [`Entry`].
 pub fn json(report: &Report) -> String {
     report
         .diagnostics
         .iter()
         .map(|diagnostic| {
-            let line = line(report, diagnostic);
-            serde_json::to_string(&line).expect("plain data") + "\n"
+            serde_json::to_string(&entry(report, diagnostic)).expect("plain data") + "\n"
         })
         .collect()
 }
 
-fn line<'a>(report: &'a Report, diagnostic: &'a Diagnostic) -> Line<'a> {
+/// What tools are told of a diagnostic of this report.
+pub fn entry<'a>(report: &'a Report, diagnostic: &'a Diagnostic) -> Entry<'a> {
     let file = diagnostic.span.map(|span| report.files.get(span.file));
     let at = |offset: fn(crate::source::Span) -> u32| -> Option<Location> {
         Some(file?.location(offset(diagnostic.span?)))
     };
     let (start, end) = (at(|span| span.start), at(|span| span.end));
-    Line {
+    let note = |(span, message): &'a (Span, String)| {
+        let file = report.files.get(span.file);
+        let place = file.location(span.start);
+        Note {
+            file: &file.name,
+            line: place.line,
+            column: place.column,
+            message,
+        }
+    };
+    Entry {
         file: file.map(|file| file.name.as_str()),
         line: start.map(|place| place.line),
         column: start.map(|place| place.column),
@@ -133,5 +178,6 @@ fn line<'a>(report: &'a Report, diagnostic: &'a Diagnostic) -> Line<'a> {
         pass: diagnostic.pass.as_deref(),
         code: diagnostic.code,
         hint: diagnostic.hint.as_deref(),
+        notes: diagnostic.notes.iter().map(note).collect(),
     }
 }

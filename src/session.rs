@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use crate::render::{Gpu, GpuError, Renderer};
-use crate::scene::{self, LoadError, LoadErrorKind, Scene, Source};
-use crate::source::Report;
+use crate::scene::{self, Input, LoadError, LoadErrorKind, PassKind, Scene, Source};
+use crate::source::{Diagnostic, Report, Span};
 use crate::translate::{self, Program};
 
 /// A scene that can be drawn.
@@ -19,6 +19,8 @@ pub struct Session {
     pub renderer: Renderer,
     /// What the author should know although the scene runs.
     pub warnings: Report,
+    /// How it was translated, and is when it is reloaded.
+    pub options: translate::Options,
     /// How long it took to get here.
     pub timing: Timing,
 }
@@ -82,14 +84,20 @@ impl From<GpuError> for OpenError {
 
 impl Session {
     /// Loads, translates and builds a scene.
-    pub fn open(gpu: &Gpu, source: &Source) -> Result<Self, OpenError> {
+    pub fn open(
+        gpu: &Gpu,
+        source: &Source,
+        options: &translate::Options,
+    ) -> Result<Self, OpenError> {
         let start = Instant::now();
         let scene = scene::load(source)?;
         let loaded = Instant::now();
-        let programs = translate::translate(&scene).map_err(|report| OpenError::Scene {
+        let in_scene = |report| OpenError::Scene {
             report,
             read: scene.read.clone(),
-        })?;
+        };
+        require_drawable(&scene).map_err(in_scene)?;
+        let programs = translate::translate(&scene, options).map_err(in_scene)?;
         let translated = Instant::now();
         let renderer = Renderer::new(gpu, &scene, &programs)?;
         let timing = Timing {
@@ -99,21 +107,69 @@ impl Session {
         };
         let warnings = Report {
             files: scene.files.clone(),
-            diagnostics: programs.iter().flat_map(|p| p.warnings.clone()).collect(),
+            diagnostics: warnings(&scene, &programs),
         };
         Ok(Session {
             scene,
             programs,
             renderer,
             warnings,
+            options: options.clone(),
             timing,
         })
     }
 
-    /// Opens the scene anew and, if that succeeds, becomes the new one. On failure nothing changes:
+    /// Opens the scene anew, with the options of the first time, and, if that succeeds, becomes the
+    /// new one. On failure nothing changes:
     /// what was drawn before can go on.
     pub fn reload(&mut self, gpu: &Gpu, source: &Source) -> Result<(), OpenError> {
-        *self = Session::open(gpu, source)?;
+        *self = Session::open(gpu, source, &self.options)?;
         Ok(())
     }
+}
+
+fn warnings(scene: &Scene, programs: &[Program]) -> Vec<Diagnostic> {
+    let of_programs = programs.iter().flat_map(|program| &program.warnings);
+    scene.warnings.iter().chain(of_programs).cloned().collect()
+}
+
+/// Refuses a scene that needs what the renderer cannot do yet: passes beside the Image pass, and
+/// inputs other than the generated noise.
+pub fn require_drawable(scene: &Scene) -> Result<(), Report> {
+    let mut diagnostics = Vec::new();
+    for pass in &scene.passes {
+        let name = pass.kind.name();
+        let own = pass.sources.last().map(|&file| {
+            let whole = scene.files.whole(file);
+            Span {
+                end: whole.start,
+                ..whole
+            }
+        });
+        let mut refuse = |what: String| {
+            diagnostics.push(Diagnostic {
+                pass: Some(name.to_owned()),
+                ..Diagnostic::error("not-drawable-yet", format!("{what} cannot be drawn yet"))
+                    .at(own)
+                    .hint("`vitrine check` and `vitrine translate` know all passes and inputs")
+            });
+        };
+        if pass.kind != PassKind::Image {
+            refuse(format!("the pass {name}"));
+            continue;
+        }
+        for (index, channel) in pass.channels.iter().enumerate() {
+            match channel.as_ref().map(|channel| &channel.input) {
+                None | Some(Input::Noise) => {}
+                Some(input) => refuse(format!("what iChannel{index} reads, {},", input.name())),
+            }
+        }
+    }
+    if diagnostics.is_empty() {
+        return Ok(());
+    }
+    Err(Report {
+        files: scene.files.clone(),
+        diagnostics,
+    })
 }

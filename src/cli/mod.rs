@@ -1,10 +1,12 @@
 //! The command line: clap types and the reading of their values, nothing else.
 
+mod define;
 #[cfg(feature = "gpu")]
 mod value;
 
 use std::path::PathBuf;
 
+use clap::builder::RangedU64ValueParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 #[cfg(feature = "window")]
@@ -39,7 +41,8 @@ pub enum Command {
     Doctor,
 }
 
-const SCENE_HELP: &str = "A file of ShaderToy GLSL, a scene folder, or `-` for standard input";
+const SCENE_HELP: &str =
+    "A file of ShaderToy GLSL or JSON, a scene folder, or `-` for standard input";
 
 #[cfg(feature = "window")]
 #[derive(Debug, Args)]
@@ -63,6 +66,8 @@ pub struct RunArgs {
     /// Do not watch the files for changes
     #[arg(long)]
     pub no_watch: bool,
+    #[command(flatten)]
+    pub define: DefineArgs,
     #[command(flatten)]
     pub gpu: GpuArgs,
 }
@@ -94,6 +99,8 @@ pub struct ExportArgs {
     #[arg(long, value_name = "FILE.json")]
     pub stats: Option<PathBuf>,
     #[command(flatten)]
+    pub define: DefineArgs,
+    #[command(flatten)]
     pub gpu: GpuArgs,
 }
 
@@ -108,10 +115,43 @@ pub struct GpuArgs {
     pub frame_timeout: f64,
 }
 
+#[derive(Clone, Debug, Args)]
+pub struct DefineArgs {
+    /// Define a macro, whatever the text defines it as; without a value it is 1
+    #[arg(long, short = 'D', value_name = "NAME[=VALUE]", value_parser = define::define)]
+    pub define: Vec<(String, String)>,
+}
+
+const CHECK_HELP: &str = "Files of ShaderToy GLSL or JSON, scene folders, folders of such, \
+                          or `-` for standard input";
+
 #[derive(Debug, Args)]
 pub struct CheckArgs {
-    #[arg(help = SCENE_HELP, required = true)]
+    #[arg(help = CHECK_HELP, required_unless_present_any = ["list", "worker"])]
     pub scenes: Vec<PathBuf>,
+    /// Check the scenes that this file names too, one a line; `-` is standard input
+    #[arg(long, value_name = "FILE")]
+    pub list: Option<PathBuf>,
+    /// Refuse what WebGL2 refuses, also where it could be drawn
+    #[arg(long)]
+    pub strict: bool,
+    /// Print only how many scenes got which verdict
+    #[arg(long)]
+    pub summary: bool,
+    /// Check this many scenes at once [default: as many as there are processors]
+    #[arg(long, value_name = "N", value_parser = RangedU64ValueParser::<u16>::new().range(1..=1024))]
+    pub jobs: Option<u16>,
+    /// Cut off a scene that takes longer [default: 8]
+    #[arg(long, value_name = "SECONDS", value_parser = RangedU64ValueParser::<u32>::new().range(1..=86_400))]
+    pub timeout: Option<u32>,
+    /// Cut off a scene that takes more memory [default: 2048]
+    #[arg(long, value_name = "MIB", value_parser = RangedU64ValueParser::<u64>::new().range(1..=1 << 24))]
+    pub memory: Option<u64>,
+    /// Answer another process
+    #[arg(long, hide = true)]
+    pub worker: bool,
+    #[command(flatten)]
+    pub define: DefineArgs,
     /// How to write what was found
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,
@@ -130,6 +170,8 @@ pub struct TranslateArgs {
     /// Write to a file instead of standard output
     #[arg(long, short, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub define: DefineArgs,
 }
 
 #[derive(Debug, Args)]
@@ -139,6 +181,8 @@ pub struct InspectArgs {
     /// How to write it
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,
+    #[command(flatten)]
+    pub define: DefineArgs,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -15,7 +15,7 @@ use vitrine::report;
 use vitrine::session::Session;
 
 use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
-use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, source, unwritable};
+use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
 use crate::cli::ExportArgs;
 
 /// How often progress is told where there is no terminal.
@@ -26,7 +26,8 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     // What cannot be written is refused before anything is started.
     job.check_output().map_err(explain_export)?;
     let source = source(&args.scene)?;
-    if !can_run(&source)? {
+    let options = options(args.define.clone());
+    if !can_run(&source, &options)? {
         return Ok(SCENE_HAS_PROBLEMS.into());
     }
     let opening = Instant::now();
@@ -34,7 +35,7 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     let driver = opening.elapsed();
     let watchdog = watchdog(&args.gpu);
     watchdog.begin();
-    let session = match Session::open(&gpu, &source) {
+    let session = match Session::open(&gpu, &source, &options) {
         Ok(session) => session,
         Err(error) => return explain(error).map(Into::into),
     };

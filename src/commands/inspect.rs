@@ -6,7 +6,7 @@ use vitrine::scene::{Channel, Pass, Scene};
 use vitrine::translate::bindings::{self, Uniform};
 use vitrine::translate::{ChannelUse, Program};
 
-use super::{SCENE_HAS_PROBLEMS, Translation, print, source, translated};
+use super::{SCENE_HAS_PROBLEMS, Translation, options, print, source, translated};
 use crate::cli::{Format, InspectArgs};
 
 /// What one pass uses, and what was left out of it.
@@ -17,16 +17,18 @@ struct Findings<'a> {
     uniforms: Vec<&'static str>,
     /// Bytes of the uniform block; absent without one.
     uniform_block: Option<u32>,
-    channels: Vec<ChannelFindings>,
+    channels: Vec<ChannelFindings<'a>>,
     functions: &'a [String],
     left_out: LeftOut<'a>,
 }
 
 #[derive(Serialize)]
-struct ChannelFindings {
+struct ChannelFindings<'a> {
     name: &'static str,
-    /// `noise`, or `unbound`.
+    /// Its kind, `noise` for example, or `unbound`.
     input: &'static str,
+    /// Which of the site's files it is.
+    media: Option<&'a str>,
     filter: Option<&'static str>,
     wrap: Option<&'static str>,
     texture: bool,
@@ -43,7 +45,8 @@ struct LeftOut<'a> {
 }
 
 pub fn inspect(args: InspectArgs) -> anyhow::Result<ExitCode> {
-    let (scene, programs) = match translated(&source(&args.scene)?)? {
+    let options = options(args.define);
+    let (scene, programs) = match translated(&source(&args.scene)?, &options)? {
         Translation::Done(scene, programs) => (scene, programs),
         Translation::Problems(report) => {
             report::show(&report);
@@ -61,11 +64,11 @@ pub fn inspect(args: InspectArgs) -> anyhow::Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn findings<'a>(scene: &'a Scene, pass: &Pass, program: &'a Program) -> Findings<'a> {
+fn findings<'a>(scene: &'a Scene, pass: &'a Pass, program: &'a Program) -> Findings<'a> {
     let (used, unused): (Vec<_>, Vec<_>) = Uniform::ALL
         .into_iter()
         .partition(|&uniform| program.reads(uniform));
-    let channels = || program.channels.iter().zip(pass.channels).enumerate();
+    let channels = || program.channels.iter().zip(&pass.channels).enumerate();
     let is_used = |usage: &ChannelUse| usage.texture || usage.sampler;
     let mut objects = Vec::new();
     if program.uniforms.is_none() {
@@ -87,7 +90,7 @@ fn findings<'a>(scene: &'a Scene, pass: &Pass, program: &'a Program) -> Findings
         uniform_block: program.uniforms.as_ref().map(|block| block.size),
         channels: channels()
             .filter(|(_, (usage, _))| is_used(usage))
-            .map(|(index, (usage, bound))| channel(index, *usage, bound))
+            .map(|(index, (usage, bound))| channel(index, *usage, bound.as_ref()))
             .collect(),
         functions: &program.functions.used,
         left_out: LeftOut {
@@ -102,10 +105,11 @@ fn findings<'a>(scene: &'a Scene, pass: &Pass, program: &'a Program) -> Findings
     }
 }
 
-fn channel(index: usize, usage: ChannelUse, bound: Option<Channel>) -> ChannelFindings {
+fn channel(index: usize, usage: ChannelUse, bound: Option<&Channel>) -> ChannelFindings<'_> {
     ChannelFindings {
         name: bindings::channel_name(index),
         input: bound.map_or("unbound", |channel| channel.input.name()),
+        media: bound.and_then(|channel| Some(&*channel.input.media()?.path)),
         filter: bound.map(|channel| channel.sampling.filter.name()),
         wrap: bound.map(|channel| channel.sampling.wrap.name()),
         texture: usage.texture,
@@ -141,7 +145,7 @@ fn line(title: &str, items: &[String]) -> String {
     }
 }
 
-fn channel_line(channel: &ChannelFindings) -> String {
+fn channel_line(channel: &ChannelFindings<'_>) -> String {
     let how = match (channel.filter, channel.wrap) {
         (Some(filter), Some(wrap)) => format!(", {filter}, {wrap}"),
         _ => String::new(),

@@ -20,9 +20,9 @@ use std::time::Instant;
 use vitrine::report;
 use vitrine::scene::{self, LoadError, LoadErrorKind, Scene, Source};
 use vitrine::source::Report;
-use vitrine::translate::Program;
+use vitrine::translate::{Options, Program};
 
-use crate::cli::Command;
+use crate::cli::{self, Command};
 
 /// Something is wrong with the scene.
 pub const SCENE_HAS_PROBLEMS: u8 = 1;
@@ -82,7 +82,7 @@ fn unwritable(path: &Path, error: &std::io::Error) -> anyhow::Error {
 fn unreadable(path: &Path, error: &std::io::Error) -> anyhow::Error {
     let hint = match error.kind() {
         std::io::ErrorKind::NotFound => {
-            "a scene is a file of ShaderToy GLSL, a scene folder, or `-` for standard input"
+            "a scene is a file of ShaderToy GLSL or JSON, a scene folder, or `-` for standard input"
         }
         std::io::ErrorKind::PermissionDenied => "its permissions do not let you read it",
         _ => "",
@@ -124,21 +124,37 @@ enum Translation {
     Problems(Report),
 }
 
-/// Loads and translates a scene.
-fn translated(source: &Source) -> anyhow::Result<Translation> {
-    let scene = match scene::load(source) {
-        Ok(scene) => scene,
+/// Loads a scene, or says what is wrong with it.
+fn loaded(source: &Source) -> anyhow::Result<Result<Scene, Report>> {
+    match scene::load(source) {
+        Ok(scene) => Ok(Ok(scene)),
         Err(LoadError {
             kind: LoadErrorKind::Scene(report),
             ..
-        }) => return Ok(Translation::Problems(report)),
+        }) => Ok(Err(report)),
         Err(LoadError {
             kind: LoadErrorKind::Io { path, error },
             ..
-        }) => return Err(unreadable(&path, &error)),
+        }) => Err(unreadable(&path, &error)),
+    }
+}
+
+/// Loads and translates a scene.
+fn translated(source: &Source, options: &Options) -> anyhow::Result<Translation> {
+    let scene = match loaded(source)? {
+        Ok(scene) => scene,
+        Err(report) => return Ok(Translation::Problems(report)),
     };
-    Ok(match vitrine::translate::translate(&scene) {
+    Ok(match vitrine::translate::translate(&scene, options) {
         Ok(programs) => Translation::Done(scene, programs),
         Err(report) => Translation::Problems(report),
     })
+}
+
+/// How the command line wants a scene translated.
+fn options(define: cli::DefineArgs) -> Options {
+    Options {
+        overrides: define.define,
+        ..Options::default()
+    }
 }

@@ -5,9 +5,10 @@ use std::time::Duration;
 use vitrine::render::{AdapterChoice, GpuError, Watchdog};
 use vitrine::report;
 use vitrine::scene::Source;
-use vitrine::session::OpenError;
+use vitrine::session::{OpenError, require_drawable};
+use vitrine::translate::{Options, translate};
 
-use super::{HOST_FAILED, SCENE_HAS_PROBLEMS, Translation, failure, translated, unreadable};
+use super::{HOST_FAILED, SCENE_HAS_PROBLEMS, failure, loaded, unreadable};
 use crate::cli::GpuArgs;
 
 pub fn adapter_choice(args: &GpuArgs) -> AdapterChoice {
@@ -17,16 +18,17 @@ pub fn adapter_choice(args: &GpuArgs) -> AdapterChoice {
     }
 }
 
-/// Whether a scene loads and translates; if not, its problems are printed. Asked before a driver is
-/// started and a window opened, which take far longer.
-pub fn can_run(source: &Source) -> anyhow::Result<bool> {
-    match translated(source)? {
-        Translation::Done(..) => Ok(true),
-        Translation::Problems(report) => {
-            report::show(&report);
-            Ok(false)
-        }
+/// Whether a scene loads, translates and can be drawn; if not, its problems are printed. Asked before
+/// a driver is started and a window opened, which take far longer.
+pub fn can_run(source: &Source, options: &Options) -> anyhow::Result<bool> {
+    let ready = loaded(source)?.and_then(|scene| {
+        require_drawable(&scene)?;
+        translate(&scene, options)
+    });
+    if let Err(report) = &ready {
+        report::show(report);
     }
+    Ok(ready.is_ok())
 }
 
 pub fn gpu_failure(error: &GpuError) -> anyhow::Error {

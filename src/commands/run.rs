@@ -5,7 +5,7 @@ use vitrine::scene::Source;
 use vitrine::window::{self, Options, PlayError};
 
 use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
-use super::{SCENE_HAS_PROBLEMS, failure, source};
+use super::{SCENE_HAS_PROBLEMS, failure, options, source};
 use crate::cli::RunArgs;
 
 pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
@@ -13,11 +13,13 @@ pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
         Some(path) => source(path)?,
         None => Source::Embedded,
     };
-    if !can_run(&source)? {
+    let translate = options(args.define);
+    if !can_run(&source, &translate)? {
         return Ok(SCENE_HAS_PROBLEMS.into());
     }
     let options = Options {
         source,
+        translate,
         size: UVec2::new(args.size.width, args.size.height),
         scale: args.scale,
         fps_limit: args.fps_limit,

@@ -6,7 +6,9 @@ use vitrine::report;
 use vitrine::source::Report;
 use vitrine::translate::{self, Language};
 
-use super::{SCENE_HAS_PROBLEMS, Translation, failure, print, source, translated, unwritable};
+use super::{
+    SCENE_HAS_PROBLEMS, Translation, failure, options, print, source, translated, unwritable,
+};
 use crate::cli::{self, TranslateArgs};
 
 pub fn translate(args: TranslateArgs) -> anyhow::Result<ExitCode> {
@@ -16,7 +18,8 @@ pub fn translate(args: TranslateArgs) -> anyhow::Result<ExitCode> {
             "name a file with `--out FILE.spv`, or redirect the output",
         ));
     }
-    let (scene, programs) = match translated(&source(&args.scene)?)? {
+    let options = options(args.define);
+    let (scene, programs) = match translated(&source(&args.scene)?, &options)? {
         Translation::Done(scene, programs) => (scene, programs),
         Translation::Problems(report) => {
             report::show(&report);

@@ -10,15 +10,16 @@ struct Texels {
 }
 
 /// Uploads the texture behind a channel; an unbound channel reads (0, 0, 0, 1).
-pub(super) fn texture(gpu: &Gpu, channel: Option<Channel>) -> Result<wgpu::Texture, GpuError> {
-    let texels = match channel.map(|channel| channel.input) {
-        None => Texels {
-            size: 1,
-            rgba: vec![0, 0, 0, 255],
-        },
+pub(super) fn texture(gpu: &Gpu, channel: Option<&Channel>) -> Result<wgpu::Texture, GpuError> {
+    let texels = match channel.map(|channel| &channel.input) {
         Some(Input::Noise) => Texels {
             size: scene::NOISE_SIZE,
             rgba: scene::noise_texture(),
+        },
+        // Other inputs do not get here yet: `session::require_drawable` refuses them.
+        _ => Texels {
+            size: 1,
+            rgba: vec![0, 0, 0, 255],
         },
     };
     let levels = match channel.map(|channel| channel.sampling.filter) {
@@ -87,7 +88,7 @@ fn mip_chain(base: Texels) -> Vec<Texels> {
 }
 
 /// The sampler of a channel; it does not matter for an unbound one.
-pub(super) fn sampler(gpu: &Gpu, channel: Option<Channel>) -> wgpu::Sampler {
+pub(super) fn sampler(gpu: &Gpu, channel: Option<&Channel>) -> wgpu::Sampler {
     let (filter, wrap) = match channel {
         Some(Channel { sampling, .. }) => (sampling.filter, sampling.wrap),
         None => (Filter::Nearest, Wrap::Clamp),
@@ -116,13 +117,13 @@ pub(super) fn sampler(gpu: &Gpu, channel: Option<Channel>) -> wgpu::Sampler {
 }
 
 /// `iChannelResolution` of a channel: width, height and depth in texels, 0 if unbound.
-pub(super) fn resolution(channel: Option<Channel>) -> glam::Vec3 {
-    match channel.map(|channel| channel.input) {
-        None => glam::Vec3::ZERO,
+pub(super) fn resolution(channel: Option<&Channel>) -> glam::Vec3 {
+    match channel.map(|channel| &channel.input) {
         Some(Input::Noise) => {
             let size = scene::NOISE_SIZE as f32;
             glam::vec3(size, size, 1.0)
         }
+        _ => glam::Vec3::ZERO,
     }
 }
 

@@ -6,7 +6,7 @@ use super::target::Target;
 use crate::frame::{FrameInput, SAMPLE_RATE};
 use crate::scene::{CHANNELS, Pass};
 use crate::translate::bindings::{self, Uniform};
-use crate::translate::{Program, UniformBlock};
+use crate::translate::{Program, Tables, UniformBlock};
 
 /// std140's stride of array elements, in bytes.
 const ARRAY_STRIDE: usize = 16;
@@ -42,14 +42,15 @@ impl GpuPass {
         let mut samplers = [const { None }; CHANNELS];
         for (index, usage) in program.channels.iter().enumerate() {
             if usage.texture {
-                let texture = channel::texture(gpu, pass.channels[index])?;
+                let texture = channel::texture(gpu, pass.channels[index].as_ref())?;
                 let whole = wgpu::TextureViewDescriptor::default();
                 textures[index] = Some(texture.create_view(&whole));
             }
             if usage.sampler {
-                samplers[index] = Some(channel::sampler(gpu, pass.channels[index]));
+                samplers[index] = Some(channel::sampler(gpu, pass.channels[index].as_ref()));
             }
         }
+        let tables = program.tables.as_ref().map(|tables| upload(gpu, tables));
         let (pipeline, bind_group) = gpu.guarded("compiling the shader", || {
             let mut entries = Vec::new();
             let mut bind = |binding, resource| {
@@ -57,6 +58,9 @@ impl GpuPass {
             };
             if let Some(uniforms) = &uniforms {
                 bind(bindings::UNIFORMS, uniforms.buffer.as_entire_binding());
+            }
+            if let Some(tables) = &tables {
+                bind(bindings::TABLES, tables.as_entire_binding());
             }
             for (index, (texture, sampler)) in textures.iter().zip(&samplers).enumerate() {
                 if let Some(view) = texture {
@@ -81,10 +85,7 @@ impl GpuPass {
                     entries: &entries,
                 })
             });
-            let fragment = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(program.kind.name()),
-                source: wgpu::ShaderSource::Naga(std::borrow::Cow::Owned(program.module.clone())),
-            });
+            let fragment = shader_module(gpu, program);
             let pipeline = full_screen_pipeline(
                 gpu,
                 group_layout.as_ref(),
@@ -126,6 +127,44 @@ impl GpuPass {
             timestamp_writes,
         );
     }
+}
+
+/// The pass's shader, with run-time checks of what is not known to be harmless.
+fn shader_module(gpu: &Gpu, program: &Program) -> wgpu::ShaderModule {
+    let descriptor = wgpu::ShaderModuleDescriptor {
+        label: Some(program.kind.name()),
+        source: wgpu::ShaderSource::Naga(std::borrow::Cow::Owned(program.module.clone())),
+    };
+    let guards = &program.guards;
+    let mut checks = wgpu::ShaderRuntimeChecks::checked();
+    checks.force_loop_bounding = !guards.loops.is_empty();
+    checks.bounds_checks = !guards.accesses.is_empty();
+    checks.int_div_checks = !guards.divisions.is_empty();
+    #[expect(
+        unsafe_code,
+        reason = "wgpu leaves it to its caller that checks are not needed"
+    )]
+    // SAFETY: a kind of check is left away only if the translator has shown for every place of that
+    // kind in the program that it cannot fail: each loop ends, each index is in range, no divisor is 0
+    // or −1. All other checks stay.
+    unsafe {
+        gpu.device()
+            .create_shader_module_trusted(descriptor, checks)
+    }
+}
+
+/// A buffer with the program's constant tables.
+fn upload(gpu: &Gpu, tables: &Tables) -> wgpu::Buffer {
+    use wgpu::util::DeviceExt as _;
+    gpu.device()
+        .create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some("tables"),
+            contents: bytemuck::cast_slice(&tables.words),
+            usage: match tables.in_storage {
+                true => wgpu::BufferUsages::STORAGE,
+                false => wgpu::BufferUsages::UNIFORM,
+            },
+        })
 }
 
 /// A pipeline that covers its target with one triangle. Call it within [`Gpu::guarded`].
@@ -218,6 +257,19 @@ fn layout(program: &Program) -> PassLayout {
             },
         ));
     }
+    if let Some(tables) = &program.tables {
+        entries.push(entry(
+            bindings::TABLES,
+            wgpu::BindingType::Buffer {
+                ty: match tables.in_storage {
+                    true => wgpu::BufferBindingType::Storage { read_only: true },
+                    false => wgpu::BufferBindingType::Uniform,
+                },
+                has_dynamic_offset: false,
+                min_binding_size: std::num::NonZeroU64::new(4 * tables.words.len() as u64),
+            },
+        ));
+    }
     for (index, usage) in program.channels.iter().enumerate() {
         if usage.texture {
             entries.push(entry(
@@ -257,7 +309,10 @@ impl Uniforms {
                 mapped_at_creation: false,
             }),
             block: block.clone(),
-            channel_resolution: pass.channels.map(channel::resolution),
+            channel_resolution: pass
+                .channels
+                .each_ref()
+                .map(|bound| channel::resolution(bound.as_ref())),
         }
     }
 

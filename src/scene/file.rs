@@ -1,30 +1,41 @@
-//! A single text: the Image pass alone, as it is pasted from the site.
+//! A single text: the Image pass alone, as it is pasted from the site, or ShaderToy's JSON.
 
 use std::path::Path;
 
 use super::load::{Failure, Loading, Parts};
-use super::{CHANNELS, Pass, PassKind};
+use super::{Pass, PassKind, json};
 use crate::source::{Diagnostic, FileId, SourceMap};
 
 pub(super) fn load(loading: &mut Loading, path: &Path) -> Result<Parts, Failure> {
     let file = loading.read(path)?;
     let stem = path.file_stem().unwrap_or(path.as_os_str());
-    single(&loading.files, &stem.to_string_lossy(), file)
+    let must_be_json = path
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
+    single(loading, &stem.to_string_lossy(), file, must_be_json)
 }
 
 pub(super) fn load_text(loading: &mut Loading, name: &str, bytes: &[u8]) -> Result<Parts, Failure> {
     let file = loading.accept(name, bytes)?;
-    single(&loading.files, name.trim_matches(['<', '>']), file)
+    single(loading, name.trim_matches(['<', '>']), file, false)
 }
 
-fn single(files: &SourceMap, name: &str, file: FileId) -> Result<Parts, Failure> {
-    refuse_empty(files, file)?;
+fn single(
+    loading: &mut Loading,
+    name: &str,
+    file: FileId,
+    must_be_json: bool,
+) -> Result<Parts, Failure> {
+    refuse_empty(&loading.files, file)?;
+    if must_be_json || json::is_json(&loading.files.get(file).text) {
+        return json::load(loading, name, file);
+    }
     Ok(Parts {
         name: name.to_owned(),
         passes: vec![Pass {
             kind: PassKind::Image,
             sources: vec![file],
-            channels: [None; CHANNELS],
+            channels: Default::default(),
         }],
     })
 }

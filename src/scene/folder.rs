@@ -87,6 +87,7 @@ impl ChannelEntry {
             sampling: Sampling {
                 filter: self.filter,
                 wrap: self.wrap,
+                vflip: true,
             },
         }
     }
@@ -122,7 +123,7 @@ pub(super) fn load(loading: &mut Loading, folder: &Path) -> Result<Parts, Failur
         loading.depends_on(&common);
     }
     sources.push(loading.read(&image)?);
-    image_scene(loading, folder_name, sources, [None; CHANNELS])
+    image_scene(loading, folder_name, sources, Default::default())
 }
 
 fn from_manifest(

@@ -12,7 +12,7 @@ pub const MAX_BYTES: u64 = 8 << 20;
 /// Where a scene comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// A file with the text of an Image pass, or a scene folder.
+    /// A file with the text of an Image pass or with ShaderToy's JSON, or a scene folder.
     Path(PathBuf),
     /// Text that lies in no file: standard input, the clipboard.
     Text {
@@ -52,6 +52,7 @@ pub enum LoadErrorKind {
 pub fn load(source: &Source) -> Result<Scene, LoadError> {
     let mut loading = Loading {
         files: SourceMap::default(),
+        warnings: Vec::new(),
         read: Vec::new(),
         bytes: 0,
         disk: match source {
@@ -70,6 +71,7 @@ pub fn load(source: &Source) -> Result<Scene, LoadError> {
             // It goes to terminals and title bars, which obey control characters.
             name: parts.name.replace(char::is_control, " "),
             passes: parts.passes,
+            warnings: loading.warnings,
             files: loading.files,
             read: loading.read,
         }),
@@ -108,6 +110,7 @@ impl From<Diagnostic> for Failure {
 /// A load under way: what has been read so far, and from where.
 pub(super) struct Loading {
     pub files: SourceMap,
+    pub warnings: Vec<Diagnostic>,
     read: Vec<PathBuf>,
     /// How much text that is.
     bytes: u64,

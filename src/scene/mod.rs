@@ -1,19 +1,22 @@
 //! Scenes: what to draw, with every reference resolved, before any GPU is involved.
 //!
-//! [`load()`] turns one form of input (a single file, a folder, a text) into a [`Scene`], or says what
+//! [`load()`] turns one form of input (a single file, a folder, ShaderToy's JSON, a text) into a [`Scene`], or says what
 //! is wrong with it. After that nothing about a scene can fail.
 
+mod channel;
 mod file;
 mod folder;
+mod json;
 mod load;
 mod noise;
 
+pub use channel::{Channel, Filter, Input, Media, SamplerKind, Sampling, Wrap};
 pub use load::{LoadError, LoadErrorKind, MAX_BYTES, Source, load};
 pub use noise::{NOISE_SIZE, noise_texture};
 
 use std::path::PathBuf;
 
-use crate::source::{FileId, SourceMap};
+use crate::source::{Diagnostic, FileId, SourceMap};
 
 /// The number of input channels of a pass, `iChannel0` to `iChannel3`.
 pub const CHANNELS: usize = 4;
@@ -27,6 +30,8 @@ pub struct Scene {
     pub files: SourceMap,
     /// Passes in the order they are drawn; the Image pass is the last.
     pub passes: Vec<Pass>,
+    /// What the author should know although the scene could be loaded.
+    pub warnings: Vec<Diagnostic>,
     /// The files that were read from disk: a change to one of them is a change to the scene.
     pub read: Vec<PathBuf>,
 }
@@ -52,10 +57,16 @@ pub struct Pass {
 }
 
 /// ShaderToy's kinds of pass.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PassKind {
     /// Draws the picture; its alpha is ignored.
     Image,
+    /// Draws a texture of the picture's size, in floats, that other passes read, alpha included.
+    Buffer(BufferLetter),
+    /// Draws the six faces of a cubemap that other passes read.
+    Cube,
+    /// Computes the samples of a sound.
+    Sound,
 }
 
 impl PassKind {
@@ -63,83 +74,39 @@ impl PassKind {
     pub fn name(self) -> &'static str {
         match self {
             PassKind::Image => "Image",
+            PassKind::Buffer(letter) => letter.pass_name(),
+            PassKind::Cube => "Cube A",
+            PassKind::Sound => "Sound",
         }
     }
 }
 
-/// What is bound to one channel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Channel {
-    /// Where the texels come from.
-    pub input: Input,
-    /// How they are read.
-    pub sampling: Sampling,
+/// Which of the four buffers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[expect(missing_docs, reason = "they are letters")]
+pub enum BufferLetter {
+    A,
+    B,
+    C,
+    D,
 }
 
-/// A source of texels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Input {
-    /// The generated noise texture, see [`noise_texture`].
-    Noise,
-}
+impl BufferLetter {
+    /// Every buffer.
+    pub const ALL: [BufferLetter; 4] = [
+        BufferLetter::A,
+        BufferLetter::B,
+        BufferLetter::C,
+        BufferLetter::D,
+    ];
 
-impl Input {
-    /// The name that a manifest and `inspect` use.
-    pub fn name(self) -> &'static str {
-        match self {
-            Input::Noise => "noise",
-        }
+    /// Its place in the alphabet, from 0.
+    pub fn index(self) -> usize {
+        self as usize
     }
-}
 
-/// ShaderToy's sampler settings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sampling {
-    /// Between texels.
-    pub filter: Filter,
-    /// Beyond the edges.
-    pub wrap: Wrap,
-}
-
-/// How a value between texels is made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Filter {
-    /// The texel nearest to the coordinate.
-    Nearest,
-    /// Linear between the four texels around it; no smaller levels exist.
-    Linear,
-    /// As `Linear`, and linear between levels where the texture is shrunk.
-    Mipmap,
-}
-
-impl Filter {
-    /// The site's spelling.
-    pub fn name(self) -> &'static str {
-        match self {
-            Filter::Nearest => "nearest",
-            Filter::Linear => "linear",
-            Filter::Mipmap => "mipmap",
-        }
-    }
-}
-
-/// What lies beyond the edges of a texture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Wrap {
-    /// The edge texel.
-    Clamp,
-    /// The texture again.
-    Repeat,
-}
-
-impl Wrap {
-    /// The site's spelling.
-    pub fn name(self) -> &'static str {
-        match self {
-            Wrap::Clamp => "clamp",
-            Wrap::Repeat => "repeat",
-        }
+    /// The site's name of the tab.
+    pub fn pass_name(self) -> &'static str {
+        ["Buffer A", "Buffer B", "Buffer C", "Buffer D"][self.index()]
     }
 }

@@ -30,6 +30,8 @@ pub struct Diagnostic {
     pub message: String,
     /// Where in the author's own files; `None` when no file could be read at all.
     pub span: Option<Span>,
+    /// Other places that have to do with it, and what they have to do with it.
+    pub notes: Vec<(Span, String)>,
     /// What to do about it.
     pub hint: Option<String>,
     /// The pass being translated, by ShaderToy's name for it; `None` while loading.
@@ -37,13 +39,14 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    /// An error of the given kind. Place, hint and pass are added with the methods below.
+    /// An error of the given kind. Place, notes, hint and pass are added with the methods below.
     pub fn error(code: &'static str, message: impl Into<String>) -> Self {
         Diagnostic {
             severity: Severity::Error,
             code,
             message: message.into(),
             span: None,
+            notes: Vec::new(),
             hint: None,
             pass: None,
         }
@@ -60,6 +63,12 @@ impl Diagnostic {
     /// Points at a place.
     pub fn at(mut self, span: impl Into<Option<Span>>) -> Self {
         self.span = span.into();
+        self
+    }
+
+    /// Points at another place.
+    pub fn note(mut self, span: Span, text: impl Into<String>) -> Self {
+        self.notes.push((span, text.into()));
         self
     }
 

@@ -11,6 +11,18 @@ pub use diagnostic::{Diagnostic, Report, Severity};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FileId(u32);
 
+impl FileId {
+    /// The place of the file in its map.
+    pub(crate) fn index(self) -> u32 {
+        self.0
+    }
+
+    /// The id behind [`FileId::index`].
+    pub(crate) fn from_index(index: u32) -> Self {
+        FileId(index)
+    }
+}
+
 /// A byte range in one of the author's files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Span {

@@ -1,5 +1,6 @@
 //! The contract between translated programs and the renderer: which name is bound where.
 
+use crate::glsl::lower::{HostSampler, Interface};
 use crate::scene::CHANNELS;
 
 /// The bind group that everything lives in.
@@ -16,6 +17,26 @@ pub const fn texture(channel: usize) -> u32 {
 /// Binding of the sampler behind `iChannel{channel}`.
 pub const fn sampler(channel: usize) -> u32 {
     2 + 2 * channel as u32
+}
+
+/// Binding of the buffer of constant tables.
+pub const TABLES: u32 = 1 + 2 * CHANNELS as u32;
+
+/// What the renderer binds, as the front end is told of it.
+pub fn interface() -> Interface {
+    Interface {
+        group: GROUP,
+        block: UNIFORMS,
+        uniforms: Uniform::ALL.map(|uniform| uniform.name().to_owned()).into(),
+        samplers: (0..CHANNELS)
+            .map(|channel| HostSampler {
+                name: channel_name(channel).to_owned(),
+                texture: texture(channel),
+                sampler: sampler(channel),
+            })
+            .collect(),
+        tables: TABLES,
+    }
 }
 
 /// ShaderToy's uniforms, in the order in which the site declares them.
@@ -74,7 +95,15 @@ impl Uniform {
         }
     }
 
-    /// Its declaration as a member of a GLSL block, without the semicolon.
+    /// Whether sound passes have it too; they have no frames.
+    pub fn is_for_sound(self) -> bool {
+        matches!(
+            self,
+            Uniform::ChannelTime | Uniform::Date | Uniform::SampleRate | Uniform::ChannelResolution
+        )
+    }
+
+    /// Its declaration in GLSL, without `uniform` and semicolon.
     pub fn declaration(self) -> String {
         let name = self.name();
         match self {

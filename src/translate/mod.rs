@@ -1,44 +1,55 @@
-//! From a [`Scene`] to [`Program`]s: ShaderToy's conventions around a GLSL front end.
+//! From a [`Scene`] to [`Program`]s: ShaderToy's conventions on top of the GLSL front end.
 //!
-//! The author's text is never touched: its tokens, macros expanded, stand between a generated preamble
-//! and a `main`. What comes out is validated naga IR that reads exactly the uniforms and channels in
-//! its [`Program::uniforms`] and [`Program::channels`], bound as [`bindings`] says. Every complaint
-//! points into the author's own files. No text, however hostile, makes this panic or run for ever.
-//!
-//! Limits of this version: the GLSL is parsed by naga's own front end, which refuses parts of
-//! GLSL ES 3.00 (sampler parameters above all) and accepts some things that WebGL2 refuses.
+//! The author's text is never touched: a generated preamble stands before it, as on the site. What
+//! comes out is validated naga IR that reads exactly the uniforms and channels in its
+//! [`Program::uniforms`] and [`Program::channels`], bound as [`bindings`] says. Every complaint points
+//! into the author's own files. No text, however hostile, makes this panic or run for ever.
 
-mod assemble;
+use std::collections::BTreeSet;
+
 pub mod bindings;
-mod front;
 mod guard;
-mod limits;
+mod preamble;
 mod program;
 mod refusal;
 mod write;
 
 #[cfg(feature = "gpu")]
 pub(crate) use guard::caught;
-pub use program::{ChannelUse, Functions, Program, UniformBlock};
+pub use program::{ChannelUse, Functions, Guards, Program, Tables, UniformBlock};
 pub use write::{Language, write};
 
-use assemble::Assembly;
+use crate::glsl::check::{self, check};
+use crate::glsl::lower::{self, lower};
+use crate::glsl::places::Places;
+use crate::glsl::preprocess::{self, preprocess};
+use crate::glsl::prune::Reachable;
+use crate::glsl::{Precision, finite, hir, syntax};
+use crate::scene::{CHANNELS, Pass, Scene};
+use crate::source::{Diagnostic, FileId, Report, Severity, SourceMap, Span};
 
-use crate::glsl::preprocess::{Preprocessed, preprocess};
-use crate::scene::{CHANNELS, Pass, PassKind, Scene};
-use crate::source::{Diagnostic, Report, SourceMap, Span};
+/// How to translate.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Whether everything that WebGL2 refuses is an error.
+    pub strict: bool,
+    /// Macros whose values win over the text's own, by name.
+    pub overrides: Vec<(String, String)>,
+    /// What the program computes in.
+    pub precision: Precision,
+}
 
 /// Translates every pass of a scene, in the scene's order.
 ///
 /// On failure the report holds everything that is wrong with any pass. Warnings of a scene that
 /// runs are in [`Program::warnings`].
-pub fn translate(scene: &Scene) -> Result<Vec<Program>, Report> {
+pub fn translate(scene: &Scene, options: &Options) -> Result<Vec<Program>, Report> {
     let mut programs = Vec::new();
     let mut diagnostics = Vec::new();
     for pass in &scene.passes {
-        match translate_pass(scene, pass) {
+        match translate_pass(scene, pass, options) {
             Ok(program) => programs.push(program),
-            Err(found) => diagnostics.extend(in_pass(pass, found)),
+            Err(found) => diagnostics.extend(found),
         }
     }
     if diagnostics.is_empty() {
@@ -50,91 +61,254 @@ pub fn translate(scene: &Scene) -> Result<Vec<Program>, Report> {
     })
 }
 
-fn translate_pass(scene: &Scene, pass: &Pass) -> Result<Program, Vec<Diagnostic>> {
-    let (files, own_pass) = (scene.files.clone(), pass.clone());
-    let mut program = guard::guarded(move || translate_text(&files, &own_pass))
-        .unwrap_or_else(|failure| Err(vec![failure.diagnostic().at(own_text(scene, pass))]))?;
-    program.warnings = in_pass(pass, program.warnings).collect();
-    Ok(program)
-}
-
-fn translate_text(files: &SourceMap, pass: &Pass) -> Result<Program, Vec<Diagnostic>> {
-    let Preprocessed {
-        tokens,
-        mut diagnostics,
-    } = preprocess(files, &pass.sources, &[("HW_PERFORMANCE", "1")]);
-    if diagnostics.iter().any(Diagnostic::is_error) {
-        return Err(diagnostics);
-    }
-    limits::require_shallow(&tokens).map_err(|problem| vec![problem])?;
-    let assembly = Assembly::new(files, &tokens, end_of_text(files, pass));
-    if assembly.find("mainImage").is_none() {
-        return Err(vec![refusal::no_main_image(&assembly)]);
-    }
-    let module = front::parse(&assembly)?;
-    let program = usable(pass.kind, module, &assembly).map_err(|problem| vec![problem])?;
-    diagnostics.extend(unbound_channels(pass, &program, &assembly));
-    Ok(Program {
-        warnings: diagnostics,
-        ..program
-    })
-}
-
-/// Behind the last visible character of a pass.
-fn end_of_text(files: &SourceMap, pass: &Pass) -> Span {
-    let &own = pass.sources.last().expect("a pass has a text");
-    let end = files.get(own).text.trim_end().len() as u32;
-    Span {
-        file: own,
-        start: end,
-        end,
+/// Translates one pass of a scene. What is wrong with it, or worth a warning, is named with the pass.
+pub fn translate_pass(
+    scene: &Scene,
+    pass: &Pass,
+    options: &Options,
+) -> Result<Program, Vec<Diagnostic>> {
+    let (files, own, options) = (scene.files.clone(), pass.clone(), options.clone());
+    let result = guard::guarded(move || translate_text(files, &own, &options))
+        .unwrap_or_else(|failure| Err(vec![failure.diagnostic().at(beginning(scene, pass))]));
+    match result {
+        Ok(program) => Ok(Program {
+            warnings: in_pass(pass, program.warnings),
+            ..program
+        }),
+        Err(found) => Err(in_pass(pass, found)),
     }
 }
 
-/// Keeps what the pass needs, and makes sure that drivers can be given it: naga's writers know limits
-/// that its validator does not.
-fn usable(
-    kind: PassKind,
-    module: naga::Module,
-    assembly: &Assembly<'_>,
-) -> Result<Program, Diagnostic> {
-    front::require_own_interface(assembly, &module)?;
-    let program = Program::new(kind, module)?;
-    front::require_writable(assembly, &program.module)?;
-    write::spirv(&program).map_err(|message| refusal::internal(&message))?;
-    Ok(program)
+fn translate_text(
+    mut files: SourceMap,
+    pass: &Pass,
+    options: &Options,
+) -> Result<Program, Vec<Diagnostic>> {
+    let texts: Vec<&str> = pass
+        .sources
+        .iter()
+        .map(|&source| &*files.get(source).text)
+        .collect();
+    let text = preamble::preamble(pass, &texts);
+    let own = files.add("preamble", text);
+    let text = Text {
+        files: &files,
+        preamble: own,
+        pass,
+    };
+    text.translate(options)
+        .map_err(|found| text.in_authors_files(found))
 }
 
-fn in_pass(pass: &Pass, found: Vec<Diagnostic>) -> impl Iterator<Item = Diagnostic> {
-    let name = pass.kind.name();
-    found.into_iter().map(move |mut diagnostic| {
-        diagnostic.pass = Some(name.to_owned());
-        diagnostic
-    })
+/// A pass's texts behind their preamble.
+struct Text<'a> {
+    files: &'a SourceMap,
+    preamble: FileId,
+    pass: &'a Pass,
+}
+
+impl Text<'_> {
+    fn translate(&self, options: &Options) -> Result<Program, Vec<Diagnostic>> {
+        let mut units = vec![self.preamble];
+        units.extend(&self.pass.sources);
+        let preprocessed = preprocess(
+            self.files,
+            &units,
+            &preprocess::Options {
+                defines: &[("HW_PERFORMANCE", "1")],
+                overrides: &options.overrides,
+                strict: options.strict,
+            },
+        );
+        let mut diagnostics = preprocessed.diagnostics;
+        fail_on_errors(&mut diagnostics)?;
+        let tokens = &preprocessed.tokens;
+        let parsed = syntax::parse(tokens, options.strict);
+        diagnostics.extend(parsed.diagnostics);
+        if let Some(odd) = preprocessed.odd_character {
+            // A character that no one sees is most likely to blame for what follows.
+            if diagnostics.iter().any(Diagnostic::is_error) {
+                let severity = Severity::Error;
+                return Err(vec![Diagnostic { severity, ..odd }]);
+            }
+            diagnostics.push(odd);
+        }
+        fail_on_errors(&mut diagnostics)?;
+        let mut ast = parsed.ast;
+        let check_options = check::Options {
+            strict: options.strict,
+            precision: options.precision,
+        };
+        let mut checked = check(&mut ast, Places::new(tokens), check_options);
+        diagnostics.extend(checked.diagnostics);
+        fail_on_errors(&mut diagnostics)?;
+        let program = self.lower(&mut checked.hir, tokens, options)?;
+        diagnostics.extend(self.unbound_channels(&program, tokens));
+        Ok(Program {
+            warnings: self.in_authors_files(diagnostics),
+            ..program
+        })
+    }
+}
+
+impl Text<'_> {
+    /// Keeps what the pass needs and makes a program of it. The text is right by now: what fails here
+    /// is a fault of this program.
+    fn lower(
+        &self,
+        hir: &mut hir::Hir,
+        tokens: &[preprocess::Token<'_>],
+        options: &Options,
+    ) -> Result<Program, Vec<Diagnostic>> {
+        finite::mark_finite_loops(hir);
+        let reachable = Reachable::new(hir);
+        let interface = bindings::interface();
+        let lowered = lower(
+            hir,
+            &reachable,
+            &lower::Options {
+                precision: options.precision,
+                interface: &interface,
+                double_functions: Default::default(),
+            },
+        );
+        let functions = self.functions(hir, &reachable, tokens);
+        let places = Places::new(tokens);
+        let in_own_files = |extents: &[hir::Extent]| -> Vec<Span> {
+            let spans = extents.iter().filter_map(|&extent| places.span(extent));
+            spans.filter(|span| span.file != self.preamble).collect()
+        };
+        let guards = Guards {
+            loops: in_own_files(&lowered.unguarded.loops),
+            accesses: in_own_files(&lowered.unguarded.accesses),
+            divisions: in_own_files(&lowered.unguarded.divisions),
+        };
+        let internal = |message: &str| vec![refusal::internal(message).at(self.end())];
+        let program = Program::new(self.pass.kind, lowered, functions, guards)
+            .map_err(|message| internal(&message))?;
+        write::spirv(&program).map_err(|message| internal(&message))?;
+        Ok(program)
+    }
+
+    /// The author's functions, used and unused.
+    fn functions(
+        &self,
+        hir: &hir::Hir,
+        reachable: &Reachable,
+        tokens: &[preprocess::Token<'_>],
+    ) -> Functions {
+        let names = |is_used: bool| {
+            let own = hir.functions.iter().filter(|(id, function)| {
+                let place = tokens.get(function.at as usize);
+                let is_own = place.is_some_and(|token| token.span.file != self.preamble);
+                is_own && reachable.functions.contains(id) == is_used
+            });
+            own.map(|(_, function)| hir.names.text(function.name).to_owned())
+                .collect::<BTreeSet<String>>()
+        };
+        let (used, unused) = (names(true), names(false));
+        Functions {
+            unused: unused.difference(&used).cloned().collect(),
+            used: used.into_iter().collect(),
+        }
+    }
+
+    /// Behind the last visible character of the pass.
+    fn end(&self) -> Span {
+        let own = self.own_file();
+        let end = self.files.get(own).text.trim_end().len() as u32;
+        Span {
+            file: own,
+            start: end,
+            end,
+        }
+    }
+
+    fn own_file(&self) -> FileId {
+        *self.pass.sources.last().expect("a pass has a text")
+    }
+
+    /// Moves what points into the preamble to where the author can do something about it.
+    fn in_authors_files(&self, found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        let is_foreign = |diagnostic: &Diagnostic| {
+            diagnostic
+                .span
+                .is_none_or(|span| span.file == self.preamble)
+        };
+        let (foreign, mut own): (Vec<_>, Vec<_>) = found.into_iter().partition(is_foreign);
+        for diagnostic in &mut own {
+            diagnostic
+                .notes
+                .retain(|(span, _)| span.file != self.preamble);
+        }
+        for diagnostic in foreign {
+            let diagnostic = match diagnostic.code {
+                "no-body" => refusal::no_entry_point(self.pass.kind, &self.texts()),
+                // What the author did not write is only the consequence of something else.
+                _ if diagnostic.is_error() && own.iter().any(Diagnostic::is_error) => continue,
+                _ => diagnostic,
+            };
+            own.push(Diagnostic {
+                notes: Vec::new(),
+                ..diagnostic.at(self.end())
+            });
+        }
+        own
+    }
+
+    fn texts(&self) -> String {
+        let texts = self.pass.sources.iter();
+        texts.map(|&source| &*self.files.get(source).text).collect()
+    }
+
+    fn unbound_channels(
+        &self,
+        program: &Program,
+        tokens: &[preprocess::Token<'_>],
+    ) -> Vec<Diagnostic> {
+        let is_unbound = |&channel: &usize| {
+            program.channels[channel].texture && self.pass.channels[channel].is_none()
+        };
+        (0..CHANNELS)
+            .filter(is_unbound)
+            .map(|channel| {
+                let name = bindings::channel_name(channel);
+                let own = tokens
+                    .iter()
+                    .filter(|token| token.span.file != self.preamble);
+                let place = own.into_iter().find(|token| token.is(name));
+                Diagnostic::warning(
+                    "unbound-channel",
+                    format!("`{name}` is read but nothing is bound to it: it reads (0, 0, 0, 1)"),
+                )
+                .at(place.map(|token| token.span))
+                .hint(format!(
+                    "bind it in a scene folder's scene.toml: {name} = {{ procedural = \"noise\" }}"
+                ))
+            })
+            .collect()
+    }
+}
+
+fn fail_on_errors(diagnostics: &mut Vec<Diagnostic>) -> Result<(), Vec<Diagnostic>> {
+    match diagnostics.iter().any(Diagnostic::is_error) {
+        true => Err(std::mem::take(diagnostics)),
+        false => Ok(()),
+    }
+}
+
+fn in_pass(pass: &Pass, mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    for diagnostic in &mut found {
+        diagnostic.pass = Some(pass.kind.name().to_owned());
+    }
+    found
 }
 
 /// The beginning of the pass's own text, for what has no better place.
-fn own_text(scene: &Scene, pass: &Pass) -> Option<Span> {
-    let start = scene.files.whole(*pass.sources.last()?);
+fn beginning(scene: &Scene, pass: &Pass) -> Option<Span> {
+    let whole = scene.files.whole(*pass.sources.last()?);
     Some(Span {
-        end: start.start,
-        ..start
+        end: whole.start,
+        ..whole
     })
-}
-
-fn unbound_channels(pass: &Pass, program: &Program, assembly: &Assembly<'_>) -> Vec<Diagnostic> {
-    (0..CHANNELS)
-        .filter(|&channel| program.channels[channel].texture && pass.channels[channel].is_none())
-        .map(|channel| {
-            let name = bindings::channel_name(channel);
-            Diagnostic::warning(
-                "unbound-channel",
-                format!("`{name}` is read but nothing is bound to it: it reads (0, 0, 0, 1)"),
-            )
-            .at(assembly.find(name))
-            .hint(format!(
-                "bind it in a scene folder's scene.toml: {name} = {{ procedural = \"noise\" }}"
-            ))
-        })
-        .collect()
 }

@@ -1,11 +1,14 @@
 use std::collections::BTreeSet;
+use std::error::Error as _;
 
-use naga::valid::ModuleInfo;
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{AddressSpace, Expression, Function, GlobalVariable, Handle, Module, TypeInner};
 
 use super::bindings::{self, Uniform};
+use crate::glsl::lower::Lowered;
+pub use crate::glsl::lower::Tables;
 use crate::scene::{CHANNELS, PassKind};
-use crate::source::Diagnostic;
+use crate::source::{Diagnostic, Span};
 
 /// One pass, ready for the GPU: all that is not reachable from its entry point is gone.
 #[derive(Clone, Debug)]
@@ -20,8 +23,12 @@ pub struct Program {
     pub uniforms: Option<UniformBlock>,
     /// What the pass reads of each channel.
     pub channels: [ChannelUse; CHANNELS],
+    /// The values of large constant arrays, which the renderer binds as a buffer.
+    pub tables: Option<Tables>,
     /// The author's functions.
     pub functions: Functions,
+    /// What is checked while the pass runs, because it is not known to be harmless.
+    pub guards: Guards,
     /// What the author should know although the pass runs.
     pub warnings: Vec<Diagnostic>,
 }
@@ -54,6 +61,18 @@ pub struct Functions {
     pub unused: Vec<String>,
 }
 
+/// Places that are not known to be harmless, and are therefore checked at run time. Where a kind has
+/// none, the renderer asks for no checks of it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Guards {
+    /// Loops that may not end.
+    pub loops: Vec<Span>,
+    /// Elements and texels picked by an index that may be out of range.
+    pub accesses: Vec<Span>,
+    /// Integer divisions whose divisor may be zero or −1.
+    pub divisions: Vec<Span>,
+}
+
 impl Program {
     /// The name of the entry point in [`Program::module`].
     pub const ENTRY_POINT: &'static str = "main";
@@ -65,21 +84,23 @@ impl Program {
             .is_some_and(|block| block.members.iter().any(|(member, _)| *member == uniform))
     }
 
-    /// Keeps of a validated module what its entry point needs.
-    pub(super) fn new(kind: PassKind, mut module: Module) -> Result<Self, Diagnostic> {
-        let all = function_names(&module);
+    /// Validates a lowered pass and keeps what its entry point needs.
+    pub(super) fn new(
+        kind: PassKind,
+        lowered: Lowered,
+        functions: Functions,
+        guards: Guards,
+    ) -> Result<Self, String> {
+        let mut module = lowered.module;
         naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
-        let info = super::front::validate(&module)
-            .map_err(|error| super::refusal::internal(&error.as_inner().to_string()))?;
-        let used = function_names(&module);
+        let info = validate(&module)?;
         let mut program = Program {
             kind,
             uniforms: None,
             channels: [ChannelUse::default(); CHANNELS],
-            functions: Functions {
-                unused: all.difference(&used).cloned().collect(),
-                used: used.into_iter().collect(),
-            },
+            tables: lowered.tables,
+            functions,
+            guards,
             warnings: Vec::new(),
             module,
             info,
@@ -151,11 +172,17 @@ fn functions(module: &Module) -> impl Iterator<Item = &Function> {
         .chain(entry_points)
 }
 
-fn function_names(module: &Module) -> BTreeSet<String> {
-    module
-        .functions
-        .iter()
-        .filter_map(|(_, function)| function.name.clone())
-        .filter(|name| name != Program::ENTRY_POINT)
-        .collect()
+/// Runs naga's validator with the capabilities that every device here is asked for.
+fn validate(module: &Module) -> Result<ModuleInfo, String> {
+    Validator::new(ValidationFlags::all(), Capabilities::default())
+        .validate(module)
+        .map_err(|error| {
+            let mut message = error.as_inner().to_string();
+            let mut cause = error.as_inner().source();
+            while let Some(inner) = cause {
+                message += &format!(": {inner}");
+                cause = inner.source();
+            }
+            message
+        })
 }

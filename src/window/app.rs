@@ -154,9 +154,10 @@ impl App {
         self.opening = Opening::Busy;
         self.latest_opening += 1;
         let number = self.latest_opening;
+        let options = self.options.translate.clone();
         thread::spawn(move || {
             let began = Instant::now();
-            let result = Session::open(&gpu, &source);
+            let result = Session::open(&gpu, &source, &options);
             let opened = Opened {
                 number,
                 source,

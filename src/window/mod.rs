@@ -20,12 +20,15 @@ use winit::event_loop::EventLoop;
 use crate::render::{AdapterChoice, GpuError, Watchdog};
 use crate::scene::Source;
 use crate::session::{OpenError, Session};
+use crate::translate;
 
 /// What to play, and how.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The scene to begin with.
     pub source: Source,
+    /// How to translate it, also after changes, and every scene that follows it.
+    pub translate: translate::Options,
     /// Size of the window's inside in pixels.
     pub size: UVec2,
     /// Pixels drawn for each pixel of the window's width and height.

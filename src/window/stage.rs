@@ -69,7 +69,8 @@ impl Stage {
             size_of(&window),
         )?;
         let target = Target::new(&gpu, picture_size(&gpu, &window, options.scale))?;
-        let session = Session::open(&gpu, &options.source).map_err(PlayError::Open)?;
+        let session =
+            Session::open(&gpu, &options.source, &options.translate).map_err(PlayError::Open)?;
         Ok(Stage {
             window,
             gpu: Arc::new(gpu),

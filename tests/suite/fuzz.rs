@@ -6,7 +6,7 @@ use std::fs;
 use vitrine::report;
 use vitrine::scene::{self, LoadErrorKind, Source};
 use vitrine::source::Report;
-use vitrine::translate::translate;
+use vitrine::translate::{Options, translate};
 
 use crate::support::{Folder, plain, repository};
 
@@ -100,7 +100,7 @@ fn try_text(bytes: &[u8]) {
         bytes: bytes.to_vec(),
     };
     let text = String::from_utf8_lossy(bytes);
-    match scene::load(&source).map(|scene| translate(&scene)) {
+    match scene::load(&source).map(|scene| translate(&scene, &Options::default())) {
         Ok(Ok(programs)) => assert_eq!(programs.len(), 1),
         Ok(Err(report)) => assert_sound(&report, &text),
         Err(error) => match error.kind {

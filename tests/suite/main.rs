@@ -7,7 +7,10 @@
 
 mod bad_folder;
 mod bad_input;
+mod check_many;
+mod define;
 mod fuzz;
+mod json_scenes;
 mod layering;
 mod messages;
 mod seeds;

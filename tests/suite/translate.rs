@@ -5,7 +5,7 @@ use std::process::Command;
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use vitrine::scene::{self, Source};
-use vitrine::translate::{Language, translate, write};
+use vitrine::translate::{Language, Options, translate, write};
 
 use crate::support::{Folder, pasted, scene_folders, vitrine};
 
@@ -20,7 +20,7 @@ const LANGUAGES: [(Language, &str); 5] = [
 
 fn written(source: &Source, language: Language) -> Vec<u8> {
     let scene = scene::load(source).expect("a scene");
-    let programs = translate(&scene).expect("programs");
+    let programs = translate(&scene, &Options::default()).expect("programs");
     write(&programs[0], language).unwrap_or_else(|problem| panic!("{}", problem.message))
 }
 

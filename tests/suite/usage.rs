@@ -53,7 +53,8 @@ fn check_finds_nothing_wrong_with_the_scenes() {
             outcome.stderr
         );
         let outcome = vitrine("check --format json").arg(&folder).run();
-        assert!(outcome.exits(0).stdout.is_empty(), "{name}");
+        let line: Value = serde_json::from_str(&outcome.exits(0).text()).expect("one object");
+        assert_eq!(line["verdict"], "accept", "{name}");
     }
 }
 
@@ -71,11 +72,13 @@ fn a_warning_is_shown_and_the_scene_is_fine() {
         .says("a.glsl: fine");
     let json = folder.run("check a.glsl --format json").exits(0).text();
     let line: Value = serde_json::from_str(&json).expect("one object");
-    assert_eq!(line["severity"], "warning");
+    assert_eq!(line["verdict"], "accept");
+    let warning = &line["passes"][0]["diagnostics"][0];
+    assert_eq!(warning["severity"], "warning");
 }
 
 #[test]
-fn json_has_every_key_in_every_line() {
+fn json_has_a_line_a_file_with_every_key() {
     let text = "float f() {\n    return lost;\n}\nvoid mainImage(out vec4 c, in vec2 p) {}\n";
     let folder = Folder::with("a.glsl", text);
     folder.write("empty/notes.txt", "");
@@ -86,26 +89,34 @@ fn json_has_every_key_in_every_line() {
     let lines = text.lines().map(serde_json::from_str);
     let lines: Vec<Value> = lines.collect::<Result<_, _>>().expect("an object a line");
     assert_eq!(lines.len(), 2, "{text}");
-    for line in &lines {
+    assert_eq!(lines[0]["file"], "a.glsl");
+    assert_eq!(lines[1]["file"], "empty");
+    let pass = &lines[0]["passes"][0];
+    assert_eq!(pass["name"], "Image");
+    let (in_pass, in_scene) = (&pass["diagnostics"][0], &lines[1]["diagnostics"][0]);
+    for found in [in_pass, in_scene] {
         for key in ["file", "line", "column", "end_line", "end_column"] {
-            assert!(line.get(key).is_some(), "no {key} in {line}");
+            assert!(found.get(key).is_some(), "no {key} in {found}");
         }
         for key in ["message", "pass", "code", "hint"] {
-            assert!(line.get(key).is_some(), "no {key} in {line}");
+            assert!(found.get(key).is_some(), "no {key} in {found}");
         }
-        assert_eq!(line["severity"], "error");
+        assert_eq!(found["severity"], "error");
     }
-    let place = |key: &str| lines[0][key].as_u64();
-    assert_eq!(lines[0]["file"], "a.glsl");
+    for line in [pass, &lines[0], &lines[1]] {
+        assert_eq!(line["verdict"], "refuse");
+    }
+    let place = |key: &str| in_pass[key].as_u64();
+    assert_eq!(in_pass["file"], "a.glsl");
     assert_eq!((place("line"), place("column")), (Some(2), Some(12)));
     assert_eq!(
         (place("end_line"), place("end_column")),
         (Some(2), Some(16))
     );
-    assert_eq!(lines[0]["pass"], "Image");
-    assert_eq!(lines[0]["code"], "unknown-variable");
+    assert_eq!(in_pass["pass"], "Image");
+    assert_eq!(in_pass["code"], "unknown-variable");
     // A folder without a scene has no file to point into.
-    assert_eq!(lines[1]["file"], Value::Null);
+    assert_eq!(in_scene["file"], Value::Null);
 }
 
 #[test]

@@ -1,12 +1,10 @@
-//! The expressions of `#if` and `#elif`.
+//! The expressions of `#if`, `#elif` and `#line`.
 
-use super::directive::{Directives, number};
+use super::directive::Directives;
 use super::expand::Expansion;
-use super::lexer::{Kind, Token};
+use super::number::{self, Number, NumberError};
+use super::token::{Kind, Token};
 use crate::source::{Diagnostic, Span};
-
-/// Brackets and unary operators within each other; each is a level of recursion here.
-const MAX_DEPTH: usize = 200;
 
 /// Whether the condition behind `directive` holds. What is wrong with it is reported, and does not
 /// hold.
@@ -15,7 +13,15 @@ pub(super) fn holds<'a>(
     directive: &Token<'a>,
     line: Vec<Token<'a>>,
 ) -> bool {
-    match resolve_defined(source, directive, line).and_then(|line| value(source, directive, line)) {
+    let value = resolve_defined(source, directive, line).and_then(|line| {
+        let line = Expansion::of_list(line, source);
+        let (value, length) = evaluate(&line, directive.span, u32::MAX)?;
+        match line.get(length) {
+            Some(extra) => Err(misplaced(extra)),
+            None => Ok(value),
+        }
+    });
+    match value {
         Ok(value) => value != 0,
         Err(problem) => {
             source.report(problem);
@@ -24,40 +30,24 @@ pub(super) fn holds<'a>(
     }
 }
 
-/// The value of a constant expression, macros expanded.
-pub(super) fn value<'a>(
-    source: &mut Directives<'a>,
-    directive: &Token<'a>,
-    line: Vec<Token<'a>>,
-) -> Result<i32, Diagnostic> {
-    let line = Expansion::of_list(line, source);
-    let mut parser = Parser {
-        tokens: &line,
-        at: 0,
-        end: directive.span,
-        depth: 0,
-    };
-    let value = parser.binary(0, true)?;
-    match parser.peek() {
-        Some(extra) => {
-            let message = format!("`{}` does not belong here", extra.text);
-            Err(wrong(extra.span, message))
-        }
-        None => Ok(value),
-    }
+pub(super) fn wrong(at: Span, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::error("preprocessor", message).at(at)
 }
 
-fn wrong(at: Span, message: impl Into<String>) -> Diagnostic {
-    Diagnostic::error("preprocessor", message).at(at)
+pub(super) fn misplaced(token: &Token<'_>) -> Diagnostic {
+    token.blame(Diagnostic::error(
+        "preprocessor",
+        format!("`{}` does not belong here", token.quoted()),
+    ))
 }
 
 /// Replaces `defined X` and `defined(X)` by 1 or 0, before macros are expanded.
 fn resolve_defined<'a>(
-    source: &Directives<'a>,
+    source: &mut Directives<'a>,
     directive: &Token<'a>,
     line: Vec<Token<'a>>,
 ) -> Result<Vec<Token<'a>>, Diagnostic> {
-    let mut resolved = Vec::new();
+    let mut resolved = Vec::with_capacity(line.len());
     let mut tokens = line.into_iter();
     while let Some(token) = tokens.next() {
         if !token.is("defined") {
@@ -76,12 +66,9 @@ fn resolve_defined<'a>(
         if in_brackets && !tokens.next().is_some_and(|close| close.is(")")) {
             return Err(wrong(name.span, "a `)` is missing behind this"));
         }
-        let value = if source.is_defined(&name.text) {
-            "1"
-        } else {
-            "0"
-        };
-        resolved.push(number(value, name.span));
+        let is_defined = source.macros.find_mentioned(&name.text).is_some();
+        let value = if is_defined { "1" } else { "0" };
+        resolved.push(Token::new(Kind::Number, value, name.span));
     }
     Ok(resolved)
 }
@@ -100,118 +87,195 @@ const LEVELS: [&[&str]; 10] = [
     &["*", "/", "%"],
 ];
 
-struct Parser<'t, 'a> {
-    tokens: &'t [Token<'a>],
-    at: usize,
-    /// The place of what is missing at the end.
+/// What waits for its right operand, or for its `)`.
+enum Waiting<'t, 'a> {
+    Bracket(&'t Token<'a>),
+    Unary(&'t str),
+    Binary {
+        operator: &'t Token<'a>,
+        level: usize,
+        /// Whether the left operand of `&&` or `||` has decided already: then the right one needs
+        /// no value.
+        is_decided: bool,
+    },
+}
+
+/// The value of the longest constant expression that `tokens` begin with, and its length. Integers
+/// may have bits up to those of `most`; `end` is the place of what is missing at the end.
+pub(super) fn evaluate(
+    tokens: &[Token<'_>],
     end: Span,
-    depth: usize,
+    most: u32,
+) -> Result<(i32, usize), Diagnostic> {
+    let mut stack = Stack::default();
+    let mut wants_operand = true;
+    let mut length = 0;
+    for token in tokens {
+        let is_part = match wants_operand {
+            true => {
+                wants_operand = stack.operand(token, most)?;
+                true
+            }
+            false if token.is(")") => stack.close()?,
+            false => {
+                wants_operand = stack.operator(token)?;
+                wants_operand
+            }
+        };
+        if !is_part {
+            break;
+        }
+        length += 1;
+    }
+    if wants_operand {
+        return Err(wrong(end, "the expression ends too early"));
+    }
+    Ok((stack.finish()?, length))
 }
 
-impl<'t, 'a> Parser<'t, 'a> {
-    fn peek(&self) -> Option<&'t Token<'a>> {
-        self.tokens.get(self.at)
+/// An expression half read. It is no recursion, so that brackets may be as deep as they like.
+#[derive(Default)]
+struct Stack<'t, 'a> {
+    values: Vec<i32>,
+    waiting: Vec<Waiting<'t, 'a>>,
+    /// How many of those waiting have decided already.
+    decided: usize,
+}
+
+impl<'t, 'a> Stack<'t, 'a> {
+    /// Takes a token where an operand should be. Whether an operand is still wanted behind it.
+    fn operand(&mut self, token: &'t Token<'a>, most: u32) -> Result<bool, Diagnostic> {
+        match &*token.text {
+            "(" => self.waiting.push(Waiting::Bracket(token)),
+            operator @ ("+" | "-" | "~" | "!") => self.waiting.push(Waiting::Unary(operator)),
+            _ => {
+                self.values.push(self.value(token, most)?);
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
-    /// An expression of operators from `level` on. Where it is not `live`, because `&&` or `||` has
-    /// decided already, names need no value and zero may divide.
-    fn binary(&mut self, level: usize, live: bool) -> Result<i32, Diagnostic> {
-        let Some(operators) = LEVELS.get(level) else {
-            return self.unary(live);
-        };
-        let mut left = self.binary(level + 1, live)?;
-        while let Some(token) = self.peek()
-            && operators.contains(&&*token.text)
-        {
-            self.at += 1;
-            let decided = match &*token.text {
-                "&&" => left == 0,
-                "||" => left != 0,
-                _ => false,
-            };
-            let live = live && !decided;
-            let right = self.binary(level + 1, live)?;
-            left = match apply(&token.text, left, right) {
-                Some(value) => value,
-                None if !live => 0,
-                None => return Err(wrong(token.span, "division by zero")),
-            };
-        }
-        Ok(left)
-    }
-
-    fn unary(&mut self, live: bool) -> Result<i32, Diagnostic> {
-        let Some(token) = self.peek() else {
-            return Err(wrong(self.end, "the condition ends too early"));
-        };
-        self.at += 1;
-        self.depth += 1;
-        if self.depth > MAX_DEPTH {
-            return Err(wrong(token.span, "the condition is nested too deeply"));
-        }
-        let value = match &*token.text {
-            "+" => self.unary(live)?,
-            "-" => self.unary(live)?.wrapping_neg(),
-            "~" => !self.unary(live)?,
-            "!" => i32::from(self.unary(live)? == 0),
-            "(" => {
-                let value = self.binary(0, live)?;
-                if !self.peek().is_some_and(|close| close.is(")")) {
-                    return Err(wrong(token.span, "this `(` is never closed"));
+    fn value(&self, token: &Token<'_>, most: u32) -> Result<i32, Diagnostic> {
+        let quoted = token.quoted();
+        let wrong = |message| Err(token.blame(Diagnostic::error("preprocessor", message)));
+        match token.kind {
+            Kind::Number => match number::parse(&token.text) {
+                Ok(Number::Int(bits) | Number::Uint(bits)) if bits <= most => {
+                    Ok(bits.cast_signed())
                 }
-                self.at += 1;
-                value
-            }
-            text if token.kind == Kind::Number => integer(text)
-                .ok_or_else(|| wrong(token.span, format!("`{text}` is not a whole number")))?,
-            _ if token.kind == Kind::Identifier && !live => 0,
-            name if token.kind == Kind::Identifier => {
-                return Err(wrong(token.span, format!("`{name}` is not a macro"))
-                    .hint("test it with `defined(…)` first"));
-            }
-            other => return Err(wrong(token.span, format!("`{other}` does not belong here"))),
+                Ok(Number::Int(_) | Number::Uint(_)) | Err(NumberError::Overflow) => {
+                    wrong(format!("`{quoted}` is too large"))
+                }
+                Ok(Number::Float(_)) | Err(NumberError::Malformed) => {
+                    wrong(format!("`{quoted}` is not a whole number"))
+                }
+            },
+            Kind::Identifier if self.decided > 0 => Ok(0),
+            Kind::Identifier => wrong(format!("`{quoted}` is not a macro"))
+                .map_err(|problem| problem.hint("test it with `defined(…)` first")),
+            _ => Err(misplaced(token)),
+        }
+    }
+
+    /// Takes a token where an operator may be. Whether it is one.
+    fn operator(&mut self, token: &'t Token<'a>) -> Result<bool, Diagnostic> {
+        let is_of = |level: &&[&str]| level.contains(&&*token.text);
+        let Some(level) = LEVELS.iter().position(is_of) else {
+            return Ok(false);
         };
-        self.depth -= 1;
-        Ok(value)
+        self.reduce(level)?;
+        let left = self.values.last().copied().unwrap_or(0);
+        let is_decided = match &*token.text {
+            "&&" => left == 0,
+            "||" => left != 0,
+            _ => false,
+        };
+        self.decided += usize::from(is_decided);
+        self.waiting.push(Waiting::Binary {
+            operator: token,
+            level,
+            is_decided,
+        });
+        Ok(true)
+    }
+
+    /// Takes a `)`. Whether it belongs to the expression.
+    fn close(&mut self) -> Result<bool, Diagnostic> {
+        self.reduce(0)?;
+        Ok(self.waiting.pop().is_some())
+    }
+
+    fn finish(mut self) -> Result<i32, Diagnostic> {
+        self.reduce(0)?;
+        match self.waiting.pop() {
+            Some(Waiting::Bracket(open)) => Err(wrong(open.span, "this `(` is never closed")),
+            _ => Ok(self.values.pop().unwrap_or(0)),
+        }
+    }
+
+    /// Computes what binds at least as tightly as an operator of `level`, back to the last bracket.
+    fn reduce(&mut self, level: usize) -> Result<(), Diagnostic> {
+        while let Some(last) = self.waiting.pop() {
+            match last {
+                Waiting::Unary(operator) => {
+                    let value = self.values.pop().unwrap_or(0);
+                    self.values.push(match operator {
+                        "-" => value.wrapping_neg(),
+                        "~" => !value,
+                        "!" => i32::from(value == 0),
+                        _ => value,
+                    });
+                }
+                Waiting::Binary {
+                    operator,
+                    level: tightness,
+                    is_decided,
+                } if tightness >= level => {
+                    let right = self.values.pop().unwrap_or(0);
+                    let left = self.values.pop().unwrap_or(0);
+                    self.values.push(match apply(&operator.text, left, right) {
+                        Ok(value) => value,
+                        Err(_) if self.decided > 0 => 0,
+                        Err(message) => return Err(wrong(operator.span, message)),
+                    });
+                    self.decided -= usize::from(is_decided);
+                }
+                other => {
+                    self.waiting.push(other);
+                    break;
+                }
+            }
+        }
+        Ok(())
     }
 }
 
-/// A decimal, octal or hexadecimal number of 32 bits.
-fn integer(text: &str) -> Option<i32> {
-    let digits = text.strip_suffix(['u', 'U']).unwrap_or(text);
-    let value = match digits
-        .strip_prefix("0x")
-        .or_else(|| digits.strip_prefix("0X"))
-    {
-        Some(digits) => u32::from_str_radix(digits, 16),
-        None if digits.len() > 1 && digits.starts_with('0') => u32::from_str_radix(digits, 8),
-        None => digits.parse(),
+fn apply(operator: &str, a: i32, b: i32) -> Result<i32, &'static str> {
+    let shift = || match u32::try_from(b) {
+        Ok(bits) if bits < 32 => Ok(bits),
+        _ => Err("a shift by less than 0 or more than 31 bits"),
     };
-    value.ok().map(u32::cast_signed)
-}
-
-/// `None` for what has no value.
-fn apply(operator: &str, a: i32, b: i32) -> Option<i32> {
-    let truth = |holds: bool| Some(i32::from(holds));
-    match operator {
-        "||" => truth(a != 0 || b != 0),
-        "&&" => truth(a != 0 && b != 0),
-        "|" => Some(a | b),
-        "^" => Some(a ^ b),
-        "&" => Some(a & b),
-        "==" => truth(a == b),
-        "!=" => truth(a != b),
-        "<" => truth(a < b),
-        ">" => truth(a > b),
-        "<=" => truth(a <= b),
-        ">=" => truth(a >= b),
-        "<<" => Some(a.wrapping_shl(b as u32)),
-        ">>" => Some(a.wrapping_shr(b as u32)),
-        "+" => Some(a.wrapping_add(b)),
-        "-" => Some(a.wrapping_sub(b)),
-        "*" => Some(a.wrapping_mul(b)),
-        "/" => (b != 0).then(|| a.wrapping_div(b)),
-        "%" => (b != 0).then(|| a.wrapping_rem(b)),
-        _ => None,
-    }
+    Ok(match operator {
+        "||" => i32::from(a != 0 || b != 0),
+        "&&" => i32::from(a != 0 && b != 0),
+        "|" => a | b,
+        "^" => a ^ b,
+        "&" => a & b,
+        "==" => i32::from(a == b),
+        "!=" => i32::from(a != b),
+        "<" => i32::from(a < b),
+        ">" => i32::from(a > b),
+        "<=" => i32::from(a <= b),
+        ">=" => i32::from(a >= b),
+        "<<" => a << shift()?,
+        // ANGLE shifts zeros in, also for negative numbers.
+        ">>" => (a.cast_unsigned() >> shift()?).cast_signed(),
+        "+" => a.wrapping_add(b),
+        "-" => a.wrapping_sub(b),
+        "*" => a.wrapping_mul(b),
+        "/" | "%" if b == 0 => return Err("division by zero"),
+        "/" => a.saturating_div(b),
+        _ => a.wrapping_rem(b),
+    })
 }

@@ -1,259 +1,331 @@
-use std::collections::HashMap;
+//! Replaces the uses of macros by their text.
+//!
+//! A macro's arguments are expanded by themselves before they are put into its text, and that text is
+//! then read again together with what follows it. Arguments within arguments are levels on a stack of
+//! our own, not on the machine's.
+
 use std::rc::Rc;
 
+use super::call::Call;
 use super::directive::Directives;
-use super::lexer::{Kind, Token};
-use crate::source::Diagnostic;
+use super::macros::{MacroId, Maker};
+use super::token::{Kind, Token};
+use super::{MAX_BROUGHT, MAX_READ};
+use crate::source::{Diagnostic, Span};
 
-/// Arguments within arguments; each is a level of recursion here.
-const MAX_DEPTH: usize = 2_000;
-
-/// A macro's definition.
+/// An expansion under way.
 #[derive(Debug)]
-pub(super) struct Macro<'a> {
-    /// The parameters of a function-like macro.
-    pub parameters: Option<Vec<String>>,
-    pub body: Vec<Token<'a>>,
-    /// Whether the language or the host defined it.
-    pub predefined: bool,
+pub(super) struct Expansion<'a> {
+    /// The last one is being read; the one before waits for it as an argument.
+    pub(super) levels: Vec<Level<'a>>,
+    /// The outermost macro in use.
+    outermost: Option<(MacroId, Token<'a>)>,
 }
 
-impl Macro<'_> {
-    /// Whether two definitions differ in nothing but the amount of white space.
-    pub fn agrees_with(&self, other: &Macro<'_>) -> bool {
-        let same = |i: usize, a: &Token<'_>, b: &Token<'_>| {
-            a.text == b.text && (i == 0 || a.space == b.space)
-        };
-        let bodies = self.body.iter().zip(&other.body);
-        self.parameters == other.parameters
-            && self.body.len() == other.body.len()
-            && bodies.enumerate().all(|(i, (a, b))| same(i, a, b))
+/// What the expansions of a text have cost.
+#[derive(Debug, Default)]
+pub(super) struct Costs {
+    /// Tokens read from macros and arguments so far.
+    pub(super) read: usize,
+    /// Tokens that macros have brought so far.
+    brought: usize,
+    /// Tokens in memory on the way.
+    pub(super) held: usize,
+    /// Whether it was said that a browser refuses so large a call.
+    pub(super) has_warned: bool,
+}
+
+/// What is expanded by itself: the text, or an argument.
+#[derive(Debug)]
+pub(super) struct Level<'a> {
+    pub(super) input: Input<'a>,
+    /// Texts of macros, to be read before the input goes on; the last first.
+    contexts: Vec<Context<'a>>,
+    /// The tokens in `contexts`, those that were read included.
+    pub(super) in_contexts: usize,
+    /// A token of the input that was read too early.
+    put_back: Option<Token<'a>>,
+    /// Whether the arguments of a macro are being read.
+    pub(super) is_calling: bool,
+    /// Macros whose text ended within the arguments of another: they stay active until those are
+    /// complete.
+    pub(super) ending: Vec<MacroId>,
+    /// The call that an argument is being expanded for.
+    pub(super) call: Option<Call<'a>>,
+    /// What came of an argument so far.
+    pub(super) output: Vec<Token<'a>>,
+}
+
+#[derive(Debug)]
+pub(super) enum Input<'a> {
+    /// The text itself, directives obeyed.
+    Text,
+    /// As many tokens.
+    List(usize, std::vec::IntoIter<Token<'a>>),
+}
+
+/// A macro's text, read up to a point.
+#[derive(Debug)]
+struct Context<'a> {
+    of: MacroId,
+    tokens: Tokens<'a>,
+    at: usize,
+}
+
+#[derive(Debug)]
+pub(super) enum Tokens<'a> {
+    /// The macro's own, for a use there, perhaps with white space before it.
+    Body(Rc<Vec<Token<'a>>>, Span, bool),
+    /// With its arguments put in.
+    Filled(Vec<Token<'a>>),
+}
+
+impl Tokens<'_> {
+    fn len(&self) -> usize {
+        match self {
+            Tokens::Body(tokens, ..) => tokens.len(),
+            Tokens::Filled(tokens) => tokens.len(),
+        }
     }
 }
 
-pub(super) type Macros<'a> = HashMap<String, Rc<Macro<'a>>>;
-
-/// An expansion under way: what it reads, and what of that waits to be read again.
-#[derive(Debug)]
-pub(super) struct Expansion<'a> {
-    input: Input<'a>,
-    contexts: Vec<Context<'a>>,
-    /// Macros that are being expanded, and so are not expanded again.
-    active: Vec<String>,
-    /// Macros whose text ended within the arguments of another: they stay active until those are
-    /// complete.
-    ending: Option<Vec<String>>,
-    depth: usize,
-}
-
-#[derive(Debug)]
-enum Input<'a> {
-    /// The text itself, directives obeyed.
-    Text,
-    /// Some tokens, the last first.
-    List(Vec<Token<'a>>),
-}
-
-/// Tokens to be read before the input goes on, the last first.
-#[derive(Debug)]
-struct Context<'a> {
-    /// The macro that they come from; `None` for a token that was put back.
-    name: Option<String>,
-    rest: Vec<Token<'a>>,
+impl<'a> Level<'a> {
+    pub(super) fn new(input: Input<'a>) -> Self {
+        Level {
+            input,
+            contexts: Vec::new(),
+            in_contexts: 0,
+            put_back: None,
+            is_calling: false,
+            ending: Vec::new(),
+            call: None,
+            output: Vec::new(),
+        }
+    }
 }
 
 impl<'a> Expansion<'a> {
     /// Expands the text.
     pub fn of_text() -> Self {
-        Expansion::new(Input::Text, Vec::new(), 0)
-    }
-
-    fn new(input: Input<'a>, active: Vec<String>, depth: usize) -> Self {
-        Expansion {
-            input,
-            contexts: Vec::new(),
-            active,
-            ending: None,
-            depth,
-        }
+        Expansion::new(Input::Text)
     }
 
     /// Expands some tokens by themselves.
-    pub fn of_list(mut tokens: Vec<Token<'a>>, source: &mut Directives<'a>) -> Vec<Token<'a>> {
-        tokens.reverse();
-        Expansion::new(Input::List(tokens), Vec::new(), 0).all(source)
+    pub fn of_list(tokens: Vec<Token<'a>>, source: &mut Directives<'a>) -> Vec<Token<'a>> {
+        let mut expansion = Expansion::new(Input::List(tokens.len(), tokens.into_iter()));
+        std::iter::from_fn(|| expansion.next(source)).collect()
     }
 
-    fn all(mut self, source: &mut Directives<'a>) -> Vec<Token<'a>> {
-        std::iter::from_fn(|| self.next(source)).collect()
+    fn new(input: Input<'a>) -> Self {
+        Expansion {
+            levels: vec![Level::new(input)],
+            outermost: None,
+        }
+    }
+
+    pub(super) fn level(&mut self) -> &mut Level<'a> {
+        self.levels.last_mut().expect("the first is never taken")
+    }
+
+    /// Whether the next token comes from the text itself.
+    pub(super) fn is_reading_text(&self) -> bool {
+        let [level] = &*self.levels else { return false };
+        matches!(level.input, Input::Text) && level.contexts.is_empty() && level.put_back.is_none()
+    }
+
+    /// Adds the next token that is no use of a macro to `tokens`, and says of what kind it is.
+    pub fn next_into(
+        &mut self,
+        tokens: &mut Vec<Token<'a>>,
+        source: &mut Directives<'a>,
+    ) -> Option<Kind> {
+        // Most of a text is plain, and its tokens are made where they shall stay.
+        if self.is_reading_text() {
+            let lexeme = source.next_lexeme()?;
+            if lexeme.kind != Kind::Identifier || !source.is_macro(lexeme) {
+                let Some(lexer) = &source.lexer else {
+                    return None;
+                };
+                tokens.push(lexer.token(lexeme));
+                return Some(lexeme.kind);
+            }
+            self.level().put_back = source.token(lexeme);
+        }
+        let token = self.next(source)?;
+        let kind = token.kind;
+        tokens.push(token);
+        Some(kind)
     }
 
     /// The next token that is no use of a macro.
-    pub fn next(&mut self, source: &mut Directives<'a>) -> Option<Token<'a>> {
+    fn next(&mut self, source: &mut Directives<'a>) -> Option<Token<'a>> {
         loop {
-            let mut token = self.pull(source)?;
-            if token.kind != Kind::Identifier || token.painted {
-                return Some(token);
+            let token = self.pull(source);
+            if source.is_stopped {
+                return None;
             }
-            let Some(found) = source.find(&token) else {
-                return Some(token);
-            };
-            if self.active.iter().any(|name| *name == token.text) {
-                token.painted = true;
-                return Some(token);
-            }
-            let mut body = match &found.parameters {
-                None => found.body.clone(),
-                Some(_) if !self.is_called(source) => return Some(token),
-                Some(parameters) => match self.arguments(source, &token, parameters.len()) {
-                    Some(arguments) => substitute(&found.body, parameters, &arguments),
-                    None => continue,
-                },
-            };
-            source.spend(body.len());
-            if let Some(first) = body.first_mut() {
-                first.space = token.space;
-            }
-            body.reverse();
-            let name = token.text.into_owned();
-            self.active.push(name.clone());
-            self.contexts.push(Context {
-                name: Some(name),
-                rest: body,
-            });
-        }
-    }
-
-    /// The next token, macros not expanded.
-    fn pull(&mut self, source: &mut Directives<'a>) -> Option<Token<'a>> {
-        while let Some(context) = self.contexts.last_mut() {
-            if let Some(token) = context.rest.pop() {
-                return source.spend(1).then_some(token);
-            }
-            let used_up = self.contexts.pop().and_then(|context| context.name);
-            match (&mut self.ending, used_up) {
-                (Some(ending), Some(name)) => ending.push(name),
-                (None, Some(name)) => self.release(&name),
-                (_, None) => {}
-            }
-        }
-        match &mut self.input {
-            Input::Text => source.next(),
-            Input::List(list) => list.pop().filter(|_| source.spend(1)),
-        }
-    }
-
-    fn release(&mut self, name: &str) {
-        if let Some(at) = self.active.iter().rposition(|active| active == name) {
-            self.active.remove(at);
-        }
-    }
-
-    /// Whether a `(` follows, which is then taken.
-    fn is_called(&mut self, source: &mut Directives<'a>) -> bool {
-        match self.pull(source) {
-            Some(token) if token.is("(") => true,
-            Some(token) => {
-                self.contexts.push(Context {
-                    name: None,
-                    rest: vec![token],
-                });
-                false
-            }
-            None => false,
-        }
-    }
-
-    /// Reads the arguments of a call up to its `)` and expands each.
-    fn arguments(
-        &mut self,
-        source: &mut Directives<'a>,
-        name: &Token<'a>,
-        expected: usize,
-    ) -> Option<Vec<Vec<Token<'a>>>> {
-        self.ending = Some(Vec::new());
-        let collected = self.collect(source);
-        for ended in self.ending.take().unwrap_or_default() {
-            self.release(&ended);
-        }
-        let Some(mut arguments) = collected else {
-            source.report(
-                Diagnostic::error("macro-call", format!("`{}(` is never closed", name.text))
-                    .at(name.span)
-                    .hint("add the `)` that ends the macro's arguments"),
-            );
-            return None;
-        };
-        if expected == 0 && arguments.len() == 1 && arguments[0].is_empty() {
-            arguments.clear();
-        }
-        if arguments.len() != expected {
-            let given = arguments.len();
-            source.report(
-                Diagnostic::error(
-                    "macro-call",
-                    format!(
-                        "the macro `{}` takes {expected} arguments, not {given}",
-                        name.text
-                    ),
-                )
-                .at(name.span),
-            );
-            return None;
-        }
-        if self.depth >= MAX_DEPTH {
-            source.give_up("macros are called within macro calls too deeply", name.span);
-            return None;
-        }
-        let expanded = arguments.into_iter().map(|mut argument| {
-            argument.reverse();
-            let input = Input::List(argument);
-            Expansion::new(input, self.active.clone(), self.depth + 1).all(source)
-        });
-        Some(expanded.collect())
-    }
-
-    /// The arguments as they stand; `None` if the text ends before they do.
-    fn collect(&mut self, source: &mut Directives<'a>) -> Option<Vec<Vec<Token<'a>>>> {
-        let mut arguments = vec![Vec::new()];
-        let mut depth = 1;
-        loop {
-            let token = self.pull(source)?;
-            match &*token.text {
-                "(" => depth += 1,
-                ")" if depth == 1 => return Some(arguments),
-                ")" => depth -= 1,
-                "," if depth == 1 => {
-                    arguments.push(Vec::new());
-                    continue;
+            let Some(token) = token else {
+                if self.levels.len() == 1 {
+                    return None;
                 }
-                _ => {}
+                self.finish_argument(source);
+                continue;
+            };
+            let Some(token) = self.expand(token, source) else {
+                continue;
+            };
+            if self.levels.len() > 1 {
+                self.level().output.push(token);
+                source.costs.held += 1;
+                continue;
             }
-            arguments.last_mut().expect("there is one").push(token);
+            let is_brought = !self.levels[0].contexts.is_empty();
+            source.costs.brought += usize::from(is_brought);
+            return Some(token);
         }
     }
-}
 
-fn substitute<'a>(
-    body: &[Token<'a>],
-    parameters: &[String],
-    arguments: &[Vec<Token<'a>>],
-) -> Vec<Token<'a>> {
-    let mut result = Vec::with_capacity(body.len());
-    for token in body {
-        let parameter = match token.kind {
-            Kind::Identifier => parameters.iter().position(|name| *name == token.text),
-            _ => None,
-        };
-        let Some(parameter) = parameter else {
-            result.push(token.clone());
-            continue;
-        };
-        let first = result.len();
-        result.extend_from_slice(&arguments[parameter]);
-        if let Some(first) = result.get_mut(first) {
-            first.space = token.space;
+    /// The next token of the level, macros not expanded.
+    pub(super) fn pull(&mut self, source: &mut Directives<'a>) -> Option<Token<'a>> {
+        let level = self.levels.last_mut().expect("the first is never taken");
+        if let Some(token) = level.put_back.take() {
+            return Some(token);
+        }
+        while let Some(context) = level.contexts.last_mut() {
+            let at = context.at;
+            context.at += 1;
+            let token = match &context.tokens {
+                Tokens::Body(tokens, place, space) => tokens.get(at).map(|token| {
+                    let mut token = token.brought_to(*place);
+                    if at == 0 {
+                        token.set_space(*space);
+                    }
+                    token
+                }),
+                Tokens::Filled(tokens) => tokens.get(at).cloned(),
+            };
+            if token.is_some() {
+                self.spend(source);
+                return token;
+            }
+            let length = context.tokens.len();
+            if let Tokens::Filled(_) = context.tokens {
+                source.costs.held -= length;
+            }
+            level.in_contexts -= length;
+            let of = context.of;
+            level.contexts.pop();
+            let ended = source.macros.get_mut(of);
+            ended.uses -= 1;
+            if level.is_calling {
+                level.ending.push(of);
+            } else {
+                ended.is_active = false;
+            }
+        }
+        match &mut level.input {
+            Input::Text => source.next(),
+            Input::List(_, list) => {
+                let token = list.next();
+                self.spend(source);
+                token
+            }
         }
     }
-    result
+
+    /// Puts the token back that was pulled last.
+    fn put_back(&mut self, token: Token<'a>) {
+        let level = self.level();
+        match level.contexts.last_mut() {
+            Some(context) => context.at -= 1,
+            None => level.put_back = Some(token),
+        }
+    }
+
+    /// Counts a step of work.
+    fn spend(&mut self, source: &mut Directives<'a>) {
+        source.costs.read += 1;
+        self.require_room(0, source);
+    }
+
+    /// Gives up if there is no room for more tokens, or if it has taken too long.
+    pub(super) fn require_room(&mut self, more: usize, source: &mut Directives<'a>) {
+        let costs = &source.costs;
+        let is_fine = costs.read <= MAX_READ && costs.brought + costs.held + more <= MAX_BROUGHT;
+        if is_fine || std::mem::replace(&mut source.is_stopped, true) {
+            return;
+        }
+        let hint = "write macros that use fewer others, or functions in their stead";
+        let problem = |message: String| Diagnostic::error("too-complex", message).hint(hint);
+        match self.outermost.take() {
+            Some((of, name)) => {
+                let message = format!("the macro `{}` expands without end", name.quoted());
+                source.report_use(&name, of, problem(message));
+            }
+            None => source.report(problem("a directive has too many tokens".to_owned())),
+        }
+    }
+
+    /// The token, unless it is a use of a macro: then the macro's text is read next.
+    fn expand(&mut self, mut token: Token<'a>, source: &mut Directives<'a>) -> Option<Token<'a>> {
+        if token.kind != Kind::Identifier || token.is_painted() {
+            return Some(token);
+        }
+        let Some(of) = source.macros.find_mentioned(&token.text) else {
+            return Some(token);
+        };
+        let found = source.macros.get_mut(of);
+        if found.is_active {
+            token.paint();
+            return Some(token);
+        }
+        found.uses += 1;
+        if found.parameters.is_none() {
+            let maker = found.maker;
+            let tokens = match maker {
+                Maker::Line | Maker::File => {
+                    let mut value = source.position(maker, token.span);
+                    value.set_space(token.has_space());
+                    Tokens::Filled(vec![value])
+                }
+                _ => Tokens::Body(Rc::clone(&found.body), token.span, token.has_space()),
+            };
+            self.note_outermost(of, &token);
+            self.enter(of, tokens, source);
+            return None;
+        }
+        // The macro counts as used from here on: it cannot be undefined before its `(`.
+        match self.pull(source) {
+            Some(next) if next.is("(") => {}
+            next => {
+                source.macros.get_mut(of).uses -= 1;
+                if let Some(next) = next {
+                    self.put_back(next);
+                }
+                return Some(token);
+            }
+        }
+        self.note_outermost(of, &token);
+        self.call(of, token, source);
+        None
+    }
+
+    fn note_outermost(&mut self, of: MacroId, token: &Token<'a>) {
+        if self.levels.len() == 1 && self.levels[0].contexts.is_empty() {
+            self.outermost = Some((of, token.clone()));
+        }
+    }
+
+    /// Reads a macro's text next.
+    pub(super) fn enter(&mut self, of: MacroId, tokens: Tokens<'a>, source: &mut Directives<'a>) {
+        source.macros.get_mut(of).is_active = true;
+        let length = tokens.len();
+        if let Tokens::Filled(_) = tokens {
+            source.costs.held += length;
+        }
+        let level = self.level();
+        level.in_contexts += length;
+        let at = 0;
+        level.contexts.push(Context { of, tokens, at });
+    }
 }

@@ -4,21 +4,56 @@
 //! token remembers where it was written. Work and memory are bounded whatever the text: macros that
 //! expand without end are an error.
 
+mod blank;
+mod call;
 mod condition;
+mod define;
 mod directive;
 mod expand;
+mod findings;
 mod lexer;
-mod number;
+mod macros;
+pub mod number;
+mod request;
+mod token;
 
-pub use lexer::{Kind, Token};
+pub use token::{Kind, Token};
 
-use crate::source::{Diagnostic, FileId, SourceMap};
+use crate::source::{Diagnostic, FileId, SourceMap, Span};
 use directive::Directives;
 use expand::Expansion;
+use number::NumberError;
 
-/// The most tokens that macros may bring, those within them counted each time they are expanded. The
-/// largest of some 141,000 published shaders has fewer than a million tokens in all.
-const MAX_EXPANDED: usize = 4 << 20;
+/// The longest name or number that a browser takes.
+const MAX_SPELLING: usize = 1024;
+
+/// Macro calls in arguments of macro calls, as deep as a browser goes.
+const MAX_DEPTH: usize = 1000;
+
+/// The most tokens in the arguments of a macro call, or in what comes of it, for a browser.
+const MAX_CALL: usize = 10_000;
+
+/// The most tokens that macros may bring, those counted that are in memory on the way: 120 MB of
+/// them. The largest of some 141,000 published shaders has fewer than a million tokens in all.
+const MAX_BROUGHT: usize = 2_500_000;
+
+/// The most tokens that may be read again on the way there: some tenths of a second.
+const MAX_READ: usize = 8 << 20;
+
+/// How to preprocess a text, apart from what it says itself.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Options<'a> {
+    /// Macros of the host, name and value, as if defined before the text begins.
+    pub defines: &'a [(&'a str, &'a str)],
+    /// Macros of the user, name and value. The text can neither undefine nor redefine them: what it
+    /// says about these names is overlooked. Their tokens come from the first definition that they
+    /// override, or from the beginning of the text where it has none.
+    pub overrides: &'a [(String, String)],
+    /// Whether all that a browser refuses is an error. Else what is clear all the same is a warning:
+    /// `#extension`, `#version 300 es`, a byte-order mark, names, numbers and macro calls that are
+    /// too long.
+    pub strict: bool,
+}
 
 /// What the preprocessor makes of a text.
 #[derive(Debug)]
@@ -27,51 +62,94 @@ pub struct Preprocessed<'a> {
     pub tokens: Vec<Token<'a>>,
     /// What is wrong, in the order of the text. Tokens are not to be relied on if any is an error.
     pub diagnostics: Vec<Diagnostic>,
+    /// The first character outside ASCII that is left for the parser, as a warning. It reads as `?`,
+    /// so that it is most likely to blame if the parser finds something wrong.
+    pub odd_character: Option<Diagnostic>,
+    /// The names of [`Options::overrides`] that the text never mentions.
+    pub unused_overrides: Vec<&'a str>,
 }
 
-/// Preprocesses files as if they were one text that begins with a `#define` for each of `defines`, a
-/// name and a number.
+/// Preprocesses files as if they were one text.
 pub fn preprocess<'a>(
     files: &'a SourceMap,
     units: &[FileId],
-    defines: &[(&'a str, &'a str)],
+    options: &Options<'a>,
 ) -> Preprocessed<'a> {
-    let mut source = Directives::new(files, units, defines);
+    let mut source = Directives::new(files, units, options);
     let mut expansion = Expansion::of_text();
-    let tokens: Vec<_> = std::iter::from_fn(|| expansion.next(&mut source)).collect();
-    let mut diagnostics = source.into_diagnostics();
-    let is_odd = |token: &&Token<'_>| token.kind == Kind::Odd || token.is("#");
-    diagnostics.extend(tokens.iter().find(is_odd).map(odd_character));
-    let is_bad_number =
-        |token: &&Token<'_>| token.kind == Kind::Number && !number::is_well_formed(&token.text);
-    diagnostics.extend(tokens.iter().filter(is_bad_number).map(bad_number));
+    let mut tokens = Vec::new();
+    let mut odd_character = None;
+    while let Some(kind) = expansion.next_into(&mut tokens, &mut source) {
+        if !matches!(kind, Kind::Number | Kind::Odd | Kind::Punctuator) {
+            continue;
+        }
+        let Some(token) = tokens.last() else { break };
+        let problem = match kind {
+            Kind::Number => bad_number(token),
+            Kind::Odd => Some(meaningless(token)),
+            _ => {
+                if odd_character.is_none() && token.is("?") {
+                    odd_character = stand_in(&source, token);
+                }
+                None
+            }
+        };
+        if let Some(problem) = problem {
+            source.report(problem);
+            tokens.pop();
+        }
+    }
     Preprocessed {
         tokens,
-        diagnostics,
+        odd_character,
+        unused_overrides: define::unused_overrides(&source),
+        diagnostics: source.findings.into_list(),
     }
 }
 
-fn bad_number(token: &Token<'_>) -> Diagnostic {
-    Diagnostic::error(
-        "invalid-number",
-        format!("`{}` is not a number", token.text),
-    )
-    .at(token.span)
-    .hint("write it as `1`, `1u`, `0x1F` or `1.0`, whole numbers with no more than 32 bits")
+fn bad_number(token: &Token<'_>) -> Option<Diagnostic> {
+    let what = match number::parse(&token.text).err()? {
+        NumberError::Malformed => "is not a number",
+        NumberError::Overflow => "is too large for an integer",
+    };
+    let message = format!("`{}` {what}", token.quoted());
+    let problem = token.blame(Diagnostic::error("invalid-number", message));
+    let hint = "write it as `1`, `1u`, `0x1F` or `1.0`, whole numbers with no more than 32 bits";
+    Some(problem.hint(hint))
 }
 
-fn odd_character(token: &Token<'_>) -> Diagnostic {
+fn meaningless(token: &Token<'_>) -> Diagnostic {
     let character = token.text.chars().next().unwrap_or(' ');
-    let message = format!(
-        "the character `{}` means nothing here",
-        character.escape_debug()
-    );
-    let diagnostic = Diagnostic::error("preprocessor", message).at(token.span);
+    let shown = visible(character);
+    let message = format!("the character `{shown}` means nothing here");
+    let problem = token.blame(Diagnostic::error("preprocessor", message));
     match character {
-        '#' => diagnostic.hint("a directive stands on a line of its own; GLSL cannot paste tokens"),
-        _ if character.is_ascii() => diagnostic,
-        _ => diagnostic.hint("typographic quotes and dashes come from word processors"),
+        '#' => problem.hint("a directive stands on a line of its own; GLSL cannot paste tokens"),
+        '\\' => problem.hint("a backslash joins lines only at the very end of one"),
+        _ => problem,
     }
+}
+
+/// The character, or a code for it where nothing could be seen.
+fn visible(character: char) -> String {
+    match character {
+        '\'' | '"' | '\\' => character.to_string(),
+        _ => character.escape_debug().to_string(),
+    }
+}
+
+/// What to say of a `?` that is another character in truth.
+fn stand_in(source: &Directives<'_>, token: &Token<'_>) -> Option<Diagnostic> {
+    let place: Span = token.origin().unwrap_or(token.span);
+    let written = source.written(place);
+    let character = written
+        .chars()
+        .next()
+        .filter(|character| !character.is_ascii())?;
+    let shown = visible(character);
+    let message = format!("the character `{shown}` means nothing here: WebGL2 reads it as `?`");
+    let problem = token.blame(Diagnostic::warning("preprocessor", message));
+    Some(problem.hint("typographic quotes and dashes come from word processors"))
 }
 
 #[cfg(test)]

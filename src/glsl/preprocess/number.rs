@@ -1,19 +1,63 @@
-/// Whether a token that begins like a number is one: an integer of at most 32 bits or a float, as
-/// GLSL ES 3.00, §4.1.3 and §4.1.4, spells them.
-pub(super) fn is_well_formed(text: &str) -> bool {
-    is_integer(text) || is_float(text)
+//! What numbers mean (GLSL ES 3.00, §4.1.3 and §4.1.4).
+
+/// The value of a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Number {
+    /// A signed integer, as its 32 bits: `4294967295` is -1.
+    Int(u32),
+    /// An unsigned integer.
+    Uint(u32),
+    /// A float, rounded to 64 bits; infinite if it is too large even for them.
+    Float(f64),
 }
 
-fn is_integer(text: &str) -> bool {
-    let digits = text.strip_suffix(['u', 'U']).unwrap_or(text);
+/// Why a token that begins like a number is none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NumberError {
+    /// It is not spelled like a number.
+    Malformed,
+    /// It is an integer of more than 32 bits.
+    Overflow,
+}
+
+/// Evaluates the spelling of a number.
+pub fn parse(text: &str) -> Result<Number, NumberError> {
+    match text.as_bytes() {
+        // Most integers by far are a single digit.
+        [digit @ b'0'..=b'9'] => Ok(Number::Int(u32::from(digit - b'0'))),
+        _ if is_float(text) => {
+            let digits = text.strip_suffix(['f', 'F']).unwrap_or(text);
+            digits
+                .parse()
+                .map(Number::Float)
+                .map_err(|_| NumberError::Malformed)
+        }
+        _ => integer(text),
+    }
+}
+
+/// Whether a token that begins like a number is one: an integer of at most 32 bits or a float.
+pub fn is_well_formed(text: &str) -> bool {
+    is_float(text) || integer(text).is_ok()
+}
+
+fn integer(text: &str) -> Result<Number, NumberError> {
+    let unsigned = text.strip_suffix(['u', 'U']);
+    let digits = unsigned.unwrap_or(text);
     let (digits, radix) = match digits.as_bytes() {
         [b'0', b'x' | b'X', ..] => (&digits[2..], 16),
         [b'0', _, ..] => (&digits[1..], 8),
         _ => (digits, 10),
     };
-    // Rust would take a sign here.
-    digits.starts_with(|c: char| c.is_ascii_hexdigit())
-        && u32::from_str_radix(digits, radix).is_ok()
+    let is_digit = |byte: u8| char::from(byte).is_digit(radix);
+    if digits.is_empty() || !digits.bytes().all(is_digit) {
+        return Err(NumberError::Malformed);
+    }
+    let bits = u32::from_str_radix(digits, radix).map_err(|_| NumberError::Overflow)?;
+    Ok(match unsigned {
+        Some(_) => Number::Uint(bits),
+        None => Number::Int(bits),
+    })
 }
 
 fn is_float(text: &str) -> bool {
@@ -22,7 +66,7 @@ fn is_float(text: &str) -> bool {
         Some((mantissa, exponent)) => (mantissa, Some(exponent)),
         None => (number, None),
     };
-    let all_digits = |text: &str| text.bytes().all(|b| b.is_ascii_digit());
+    let all_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     let is_mantissa = match mantissa.split_once('.') {
         Some((whole, part)) => all_digits(whole) && all_digits(part) && mantissa.len() > 1,
         None => exponent.is_some() && all_digits(mantissa) && !mantissa.is_empty(),
@@ -36,49 +80,71 @@ fn is_float(text: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::is_well_formed;
+    use super::Number::{Float, Int, Uint};
+    use super::NumberError::{Malformed, Overflow};
+    use super::{is_well_formed, parse};
 
     #[test]
     fn numbers() {
-        for good in [
-            "0",
-            "7",
-            "42u",
-            "0x1F",
-            "0XffU",
-            "017",
-            "4294967295",
-            "1.",
-            ".5",
-            "1.5f",
-            "1e3",
-            "1.e-3F",
-            "08.5",
-            "00.",
-            "1E+9f",
+        for (text, value) in [
+            ("0", Int(0)),
+            ("7", Int(7)),
+            ("42u", Uint(42)),
+            ("0x1F", Int(31)),
+            ("0XffU", Uint(255)),
+            ("0u", Uint(0)),
+            ("017", Int(15)),
+            ("2147483648", Int(1 << 31)),
+            ("4294967295", Int(u32::MAX)),
+            ("0xFFFFFFFFu", Uint(u32::MAX)),
+            ("037777777777", Int(u32::MAX)),
+            ("1.", Float(1.0)),
+            (".5", Float(0.5)),
+            ("1.5f", Float(1.5)),
+            ("1e3", Float(1000.0)),
+            ("1.e-3F", Float(0.001)),
+            (".5e1", Float(5.0)),
+            ("08.5", Float(8.5)),
+            ("00.", Float(0.0)),
+            ("1E+9f", Float(1e9)),
+            ("1e9999", Float(f64::INFINITY)),
+            ("1e-9999", Float(0.0)),
         ] {
-            assert!(is_well_formed(good), "{good}");
+            assert_eq!(parse(text), Ok(value), "{text}");
+            assert!(is_well_formed(text), "{text}");
         }
-        for bad in [
-            "08",
-            "0x",
-            "0xg",
-            "1f",
-            "1abc",
-            "1e",
-            "1e+",
-            "1.2.3",
-            "1.0lf",
-            "1u.0",
-            "4294967296",
-            "0x100000000",
-            "1.0u",
-            "0x1.0",
-            "1__0",
-            "1.x",
-            "0+1",
+        for (text, error) in [
+            ("08", Malformed),
+            ("0189", Malformed),
+            ("0x", Malformed),
+            ("0xg", Malformed),
+            ("0xu", Malformed),
+            ("1f", Malformed),
+            ("1abc", Malformed),
+            ("1e", Malformed),
+            ("1e+", Malformed),
+            ("1.2.3", Malformed),
+            ("1.0lf", Malformed),
+            ("1u.0", Malformed),
+            ("1uu", Malformed),
+            ("1.0u", Malformed),
+            ("0x1.0", Malformed),
+            ("0b101", Malformed),
+            ("1__0", Malformed),
+            ("1.x", Malformed),
+            ("0+1", Malformed),
+            ("+1", Malformed),
+            (".", Malformed),
+            ("u", Malformed),
+            ("", Malformed),
+            ("4294967296", Overflow),
+            ("4294967296u", Overflow),
+            ("0x100000000", Overflow),
+            ("040000000000", Overflow),
+            ("99999999999999999999999999", Overflow),
         ] {
-            assert!(!is_well_formed(bad), "{bad}");
+            assert_eq!(parse(text), Err(error), "{text}");
+            assert!(!is_well_formed(text), "{text}");
         }
     }
 }

@@ -5,6 +5,7 @@ use vitrine::frame::{Clock, FrameImage, FrameInput};
 use vitrine::render::{AdapterChoice, Gpu, ReadBack, Target};
 use vitrine::scene::Source;
 use vitrine::session::{OpenError, Session};
+use vitrine::translate::Options;
 
 use super::{pasted, plain};
 
@@ -28,7 +29,7 @@ pub fn gpu() -> Option<&'static Gpu> {
 
 /// Opens a scene that is known to be good.
 pub fn open(gpu: &Gpu, source: &Source) -> Session {
-    match Session::open(gpu, source) {
+    match Session::open(gpu, source, &Options::default()) {
         Ok(session) => session,
         Err(OpenError::Scene { report, .. }) => panic!("{}", plain(&report)),
         Err(error) => panic!("{error:?}"),

@@ -1,0 +1,355 @@
+//! The built-in functions of §8 but for textures. naga's want operands of one type, know scalars as
+//! vectors only here and there, and have some of GLSL's in another sense.
+
+use naga::{
+    BinaryOperator, DerivativeAxis, DerivativeControl, Expression, MathFunction,
+    RelationalFunction, ScalarKind,
+};
+
+use super::expression::Typed;
+use super::function::{Builder, H};
+use crate::glsl::Precision;
+use crate::glsl::builtins::Builtin;
+use crate::glsl::hir::Operands;
+use crate::glsl::types::{Scalar, Type};
+
+use Builtin as B;
+use MathFunction as M;
+
+impl Builder<'_, '_> {
+    /// Calls a built-in function.
+    pub(super) fn builtin(&mut self, builtin: Builtin, operands: Operands, ty: Type) -> H {
+        let ids = self.source.operands.get(operands);
+        if is_texture(builtin) {
+            return self.texture(builtin, ids, ty);
+        }
+        if builtin == B::Modf {
+            let value = self.value(ids[0]);
+            let place = self.place(ids[1]);
+            let whole = self.math(M::Trunc, &[value]);
+            self.store_place(place, whole);
+            return self.difference(value, whole);
+        }
+        let operands: Vec<_> = ids.iter().map(|&id| self.typed(id)).collect();
+        let values: Vec<_> = operands.iter().map(|operand| operand.value).collect();
+        let first = operands[0].ty;
+        match builtin {
+            B::MatrixCompMult => self.component_product(values[0], values[1], ty),
+            B::OuterProduct => self.outer_product(values[0], values[1], ty),
+            B::Transpose => self.math(M::Transpose, &values),
+            B::Determinant => self.math(M::Determinant, &values),
+            B::Inverse => self.inverse(values[0], ty),
+            B::Length
+            | B::Distance
+            | B::Dot
+            | B::Cross
+            | B::Normalize
+            | B::FaceForward
+            | B::Reflect
+            | B::Refract => self.geometric(builtin, &values, first),
+            B::LessThan
+            | B::LessThanEqual
+            | B::GreaterThan
+            | B::GreaterThanEqual
+            | B::Equal
+            | B::NotEqual => self.compare(builtin, values[0], values[1], first),
+            B::Any => self.relational(RelationalFunction::Any, values[0]),
+            B::All => self.relational(RelationalFunction::All, values[0]),
+            B::Not => self.not(values[0]),
+            B::IsNan | B::IsInf => self.classify(builtin, values[0], first),
+            B::FloatBitsToInt | B::FloatBitsToUint => {
+                let float = self.narrow(values[0]);
+                let kind = if builtin == B::FloatBitsToInt {
+                    ScalarKind::Sint
+                } else {
+                    ScalarKind::Uint
+                };
+                self.cast(float, kind, None)
+            }
+            B::IntBitsToFloat | B::UintBitsToFloat => {
+                let float = self.cast(values[0], ScalarKind::Float, None);
+                self.widen(float)
+            }
+            B::PackSnorm2x16 | B::PackUnorm2x16 | B::PackHalf2x16 => {
+                let float = self.narrow(values[0]);
+                self.math(packing(builtin), &[float])
+            }
+            B::UnpackSnorm2x16 | B::UnpackUnorm2x16 | B::UnpackHalf2x16 => {
+                let float = self.math(packing(builtin), &values);
+                self.widen(float)
+            }
+            B::DFdx | B::DFdy | B::Fwidth => {
+                let expr = self.narrow(values[0]);
+                let derivative = self.add(Expression::Derivative {
+                    axis: match builtin {
+                        B::DFdx => DerivativeAxis::X,
+                        B::DFdy => DerivativeAxis::Y,
+                        _ => DerivativeAxis::Width,
+                    },
+                    ctrl: DerivativeControl::None,
+                    expr,
+                });
+                self.widen(derivative)
+            }
+            B::Mix if operands[2].ty.scalar() == Some(Scalar::Bool) => {
+                self.select(values[2], values[1], values[0])
+            }
+            _ => {
+                let size = ty.vector_size().expect("these are for scalars and vectors");
+                let values: Vec<_> = operands
+                    .iter()
+                    .map(|operand| self.broadcast(*operand, size))
+                    .collect();
+                self.by_component(builtin, &values, ty)
+            }
+        }
+    }
+
+    /// A scalar operand as a vector of equal components.
+    fn broadcast(&mut self, operand: Typed, size: u8) -> H {
+        if operand.ty.is_scalar() {
+            self.splat(operand.value, size)
+        } else {
+            operand.value
+        }
+    }
+
+    /// The functions that work on each component; operands and result are of one size.
+    fn by_component(&mut self, builtin: Builtin, values: &[H], ty: Type) -> H {
+        let function = match builtin {
+            B::Radians => return self.scaled(values[0], std::f64::consts::PI / 180.0),
+            B::Degrees => return self.scaled(values[0], 180.0 / std::f64::consts::PI),
+            B::Mod => {
+                let quotient = self.quotient(values[0], values[1]);
+                let whole = self.math(M::Floor, &[quotient]);
+                let product = self.product(values[1], whole);
+                return self.difference(values[0], product);
+            }
+            B::SmoothStep => return self.smooth_step(values, ty),
+            B::Sqrt => M::Sqrt,
+            B::InverseSqrt => M::InverseSqrt,
+            B::Abs => M::Abs,
+            B::Sign => M::Sign,
+            B::Floor => M::Floor,
+            B::Trunc => M::Trunc,
+            B::Round | B::RoundEven => M::Round,
+            B::Ceil => M::Ceil,
+            B::Fract => M::Fract,
+            B::Min => M::Min,
+            B::Max => M::Max,
+            B::Clamp => M::Clamp,
+            B::Mix => M::Mix,
+            B::Step => M::Step,
+            _ => return self.transcendental(builtin, values, ty),
+        };
+        self.math(function, values)
+    }
+
+    /// A number as a scalar or vector of that type.
+    pub(super) fn constant_of(&mut self, value: f64, ty: Type) -> H {
+        let size = ty.vector_size().expect("it is a scalar or a vector");
+        let value = self.float(value);
+        self.splat(value, size)
+    }
+
+    fn scaled(&mut self, value: H, factor: f64) -> H {
+        let factor = self.float(factor);
+        self.product(value, factor)
+    }
+
+    /// Spelled out, for edges in falling order work on all machines then.
+    fn smooth_step(&mut self, values: &[H], ty: Type) -> H {
+        let [low, high, x] = [values[0], values[1], values[2]];
+        let above = self.difference(x, low);
+        let width = self.difference(high, low);
+        let t = self.quotient(above, width);
+        let [zero, one] = [0.0, 1.0].map(|value| self.constant_of(value, ty));
+        let t = self.math(M::Clamp, &[t, zero, one]);
+        let square = self.product(t, t);
+        let [two, three] = [2.0, 3.0].map(|value| self.constant_of(value, ty));
+        let twice = self.product(two, t);
+        let rest = self.difference(three, twice);
+        self.product(square, rest)
+    }
+
+    /// The functions that drivers have for 32 bits only.
+    pub(super) fn transcendental_in_single(&mut self, builtin: Builtin, values: &[H]) -> H {
+        let function = match builtin {
+            B::Sin => M::Sin,
+            B::Cos => M::Cos,
+            B::Tan => M::Tan,
+            B::Asin => M::Asin,
+            B::Acos => M::Acos,
+            B::Atan if values.len() == 2 => M::Atan2,
+            B::Atan => M::Atan,
+            B::Sinh => M::Sinh,
+            B::Cosh => M::Cosh,
+            B::Tanh => M::Tanh,
+            B::Asinh => M::Asinh,
+            B::Acosh => M::Acosh,
+            B::Atanh => M::Atanh,
+            B::Pow => M::Pow,
+            B::Exp => M::Exp,
+            B::Log => M::Log,
+            B::Exp2 => M::Exp2,
+            B::Log2 => M::Log2,
+            _ => unreachable!("{builtin:?} is lowered otherwise"),
+        };
+        self.math(function, values)
+    }
+
+    /// `tanh`, which some drivers compute as a quotient of exponentials, in a range where these are
+    /// finite; beyond it the result is one.
+    pub(super) fn tanh_operand(&mut self, value: H, size: u8) -> H {
+        let [low, high] = [-10.0_f32, 10.0].map(|limit| {
+            let limit = self.literal(naga::Literal::F32(limit));
+            self.splat(limit, size)
+        });
+        self.math(M::Clamp, &[value, low, high])
+    }
+
+    fn geometric(&mut self, builtin: Builtin, values: &[H], ty: Type) -> H {
+        let is_scalar = ty.is_scalar();
+        match builtin {
+            B::Length if is_scalar => self.math(M::Abs, values),
+            B::Length => self.math(M::Length, values),
+            B::Distance if is_scalar => {
+                let difference = self.difference(values[0], values[1]);
+                self.math(M::Abs, &[difference])
+            }
+            B::Distance => self.math(M::Distance, values),
+            B::Dot => self.dot_of(values[0], values[1], ty),
+            B::Cross => self.math(M::Cross, values),
+            B::Normalize if is_scalar => self.math(M::Sign, values),
+            B::Normalize => self.math(M::Normalize, values),
+            B::FaceForward if is_scalar => {
+                let dot = self.product(values[2], values[1]);
+                let zero = self.float(0.0);
+                let condition = self.binary(BinaryOperator::Less, dot, zero);
+                let turned = self.negate(values[0]);
+                self.select(condition, values[0], turned)
+            }
+            B::FaceForward => self.math(M::FaceForward, values),
+            B::Reflect if is_scalar => {
+                let dot = self.product(values[1], values[0]);
+                let two = self.float(2.0);
+                let twice = self.product(two, dot);
+                let along = self.product(twice, values[1]);
+                self.difference(values[0], along)
+            }
+            B::Reflect => self.math(M::Reflect, values),
+            B::Refract => self.refract(values, ty),
+            _ => unreachable!("it is not geometric"),
+        }
+    }
+
+    fn dot_of(&mut self, left: H, right: H, ty: Type) -> H {
+        if ty.is_scalar() {
+            self.product(left, right)
+        } else {
+            self.dot(left, right)
+        }
+    }
+
+    /// Spelled out: naga's is for vectors of 32 bits.
+    fn refract(&mut self, values: &[H], ty: Type) -> H {
+        let [incident, normal, eta] = [values[0], values[1], values[2]];
+        let [zero, one] = [0.0, 1.0].map(|value| self.float(value));
+        let dot = self.dot_of(normal, incident, ty);
+        let square = self.product(dot, dot);
+        let sine = self.difference(one, square);
+        let eta_square = self.product(eta, eta);
+        let sine = self.product(eta_square, sine);
+        let k = self.difference(one, sine);
+        let is_total = self.binary(BinaryOperator::Less, k, zero);
+        let root = self.math(M::Max, &[k, zero]);
+        let root = self.math(M::Sqrt, &[root]);
+        let along = self.product(eta, dot);
+        let along = self.sum(along, root);
+        let [left, right] =
+            [(eta, incident), (along, normal)].map(|(factor, v)| self.product(factor, v));
+        let refracted = self.difference(left, right);
+        let nothing = self.zero(ty);
+        self.select(is_total, nothing, refracted)
+    }
+
+    fn compare(&mut self, builtin: Builtin, left: H, right: H, ty: Type) -> H {
+        let is_float = ty.scalar() == Some(Scalar::Float);
+        let op = match builtin {
+            B::LessThan => BinaryOperator::Less,
+            B::LessThanEqual => BinaryOperator::LessEqual,
+            B::GreaterThan => BinaryOperator::Greater,
+            B::GreaterThanEqual => BinaryOperator::GreaterEqual,
+            B::Equal => BinaryOperator::Equal,
+            // naga's own is false for what is no number.
+            B::NotEqual if is_float => {
+                let equal = self.binary(BinaryOperator::Equal, left, right);
+                return self.not(equal);
+            }
+            _ => BinaryOperator::NotEqual,
+        };
+        self.binary(op, left, right)
+    }
+
+    /// `isnan` and `isinf`, by the bits: compilers assume that floats are neither.
+    fn classify(&mut self, builtin: Builtin, value: H, ty: Type) -> H {
+        if self.context.options.precision == Precision::Double {
+            return self.classify_double(builtin, value, ty);
+        }
+        let size = ty.vector_size().expect("it is a scalar or a vector");
+        let bits = self.cast(value, ScalarKind::Uint, None);
+        let [mask, infinity] = [0x7fff_ffff, 0x7f80_0000].map(|bits| {
+            let bits = self.uint(bits);
+            self.splat(bits, size)
+        });
+        let magnitude = self.binary(BinaryOperator::And, bits, mask);
+        let op = match builtin {
+            B::IsNan => BinaryOperator::Greater,
+            _ => BinaryOperator::Equal,
+        };
+        self.binary(op, magnitude, infinity)
+    }
+
+    fn classify_double(&mut self, builtin: Builtin, value: H, ty: Type) -> H {
+        if builtin == B::IsNan {
+            let equal = self.binary(BinaryOperator::Equal, value, value);
+            return self.not(equal);
+        }
+        let magnitude = self.math(M::Abs, &[value]);
+        let largest = self.constant_of(f64::MAX, ty);
+        self.binary(BinaryOperator::Greater, magnitude, largest)
+    }
+}
+
+fn packing(builtin: Builtin) -> MathFunction {
+    match builtin {
+        B::PackSnorm2x16 => M::Pack2x16snorm,
+        B::PackUnorm2x16 => M::Pack2x16unorm,
+        B::PackHalf2x16 => M::Pack2x16float,
+        B::UnpackSnorm2x16 => M::Unpack2x16snorm,
+        B::UnpackUnorm2x16 => M::Unpack2x16unorm,
+        B::UnpackHalf2x16 => M::Unpack2x16float,
+        _ => unreachable!("it packs nothing"),
+    }
+}
+
+fn is_texture(builtin: Builtin) -> bool {
+    matches!(
+        builtin,
+        B::TextureSize
+            | B::Texture
+            | B::TextureProj
+            | B::TextureLod
+            | B::TextureOffset
+            | B::TexelFetch
+            | B::TexelFetchOffset
+            | B::TextureProjOffset
+            | B::TextureLodOffset
+            | B::TextureProjLod
+            | B::TextureProjLodOffset
+            | B::TextureGrad
+            | B::TextureGradOffset
+            | B::TextureProjGrad
+            | B::TextureProjGradOffset
+    )
+}

@@ -1,0 +1,381 @@
+//! Expressions in their order: what GLSL evaluates first is appended first, and what it may leave
+//! out is inside an `If`.
+
+use naga::{BinaryOperator, Statement};
+
+use super::constant::Part;
+use super::function::{Builder, H};
+use super::place::{Place, Source};
+use crate::glsl::arena::Id;
+use crate::glsl::builtins::Builtin;
+use crate::glsl::hir::{BinaryOp, Expr, ExprKind, UnaryOp};
+use crate::glsl::prune;
+use crate::glsl::types::{Base, Scalar, Type};
+
+/// What may be computed in vain to spare a branch, in operations.
+const CHEAP: u32 = 24;
+
+impl Builder<'_, '_> {
+    /// Evaluates an expression that has a value.
+    pub(super) fn value(&mut self, id: Id<Expr>) -> H {
+        let before = self.span;
+        let extent = self.source.exprs[id].extent;
+        self.span = self.span_of(extent);
+        let value = self.value_here(id);
+        self.span = before;
+        value
+    }
+
+    fn value_here(&mut self, id: Id<Expr>) -> H {
+        let Expr { kind, ty, extent } = self.source.exprs[id];
+        match kind {
+            ExprKind::Constant(constant) => self.constant(Part::whole(constant), ty),
+            ExprKind::Local(_)
+            | ExprKind::Global(_)
+            | ExprKind::Index(..)
+            | ExprKind::Member(..)
+            | ExprKind::Swizzle(..) => {
+                let place = self.place(id);
+                self.load_place(place)
+            }
+            ExprKind::Unary(op, operand) => {
+                let of = self.source.exprs[operand].ty;
+                let operand = self.value(operand);
+                self.unary(op, operand, of)
+            }
+            ExprKind::Binary(op, left, right) => {
+                let left = self.typed(left);
+                let right = self.typed(right);
+                self.operate(op, left, right, extent)
+            }
+            ExprKind::And(..) | ExprKind::Or(..) | ExprKind::Ternary(..) => {
+                if let Some(value) = self.without_branch(id) {
+                    return value;
+                }
+                let result = self.acquire(ty);
+                self.evaluate_into(id, result);
+                let value = self.load(result);
+                self.release(ty, result);
+                value
+            }
+            ExprKind::Comma(first, second) => {
+                self.effect(first);
+                self.value(second)
+            }
+            ExprKind::Assign(place, value) => {
+                let place = self.place(place);
+                let value = self.value(value);
+                self.store_place(place, value);
+                value
+            }
+            ExprKind::Compound(op, place, operand) => {
+                let place = self.place(place);
+                let left = Typed {
+                    value: self.load_place(place),
+                    ty: place.ty,
+                };
+                let right = self.typed(operand);
+                let value = self.operate(op, left, right, extent);
+                self.store_place(place, value);
+                value
+            }
+            ExprKind::Increment {
+                place,
+                down,
+                prefix,
+            } => {
+                let (old, new) = self.increment(place, down, extent);
+                if prefix { new } else { old }
+            }
+            ExprKind::Construct(operands) => self.construct(operands, ty),
+            ExprKind::Call(function, operands) => self
+                .call(function, operands)
+                .expect("what is void has no value"),
+            ExprKind::Builtin(builtin, operands) => self.builtin(builtin, operands, ty),
+        }
+    }
+
+    /// A value together with its type.
+    pub(super) fn typed(&mut self, id: Id<Expr>) -> Typed {
+        Typed {
+            value: self.value(id),
+            ty: self.source.exprs[id].ty,
+        }
+    }
+
+    /// Evaluates an expression for what it does.
+    pub(super) fn effect(&mut self, id: Id<Expr>) {
+        if !self.has_effect(id) {
+            return;
+        }
+        let before = self.span;
+        let Expr { kind, extent, .. } = self.source.exprs[id];
+        self.span = self.span_of(extent);
+        match kind {
+            ExprKind::Call(function, operands) => {
+                self.call(function, operands);
+            }
+            ExprKind::Comma(first, second) => {
+                self.effect(first);
+                self.effect(second);
+            }
+            ExprKind::And(left, right) => {
+                let condition = self.value(left);
+                self.branch(condition, |b| b.effect(right), |_| {});
+            }
+            ExprKind::Or(left, right) => {
+                let condition = self.value(left);
+                self.branch(condition, |_| {}, |b| b.effect(right));
+            }
+            ExprKind::Ternary(condition, accept, reject) => {
+                let condition = self.value(condition);
+                self.branch(condition, |b| b.effect(accept), |b| b.effect(reject));
+            }
+            _ => {
+                self.value_here(id);
+            }
+        }
+        self.span = before;
+    }
+
+    /// Evaluates an expression and stores it in a variable that it does not name itself. Chains of
+    /// `?:` thereby share one.
+    pub(super) fn evaluate_into(&mut self, id: Id<Expr>, pointer: H) {
+        let before = self.span;
+        let Expr { kind, ty, extent } = self.source.exprs[id];
+        self.span = self.span_of(extent);
+        if let Some(value) = self.without_branch(id) {
+            self.store(pointer, value);
+            self.span = before;
+            return;
+        }
+        match kind {
+            ExprKind::And(left, right) => {
+                self.evaluate_into(left, pointer);
+                let condition = self.load(pointer);
+                self.branch(condition, |b| b.evaluate_into(right, pointer), |_| {});
+            }
+            ExprKind::Or(left, right) => {
+                self.evaluate_into(left, pointer);
+                let condition = self.load(pointer);
+                self.branch(condition, |_| {}, |b| b.evaluate_into(right, pointer));
+            }
+            ExprKind::Ternary(condition, accept, reject) => {
+                let condition = self.value(condition);
+                self.branch(
+                    condition,
+                    |b| b.evaluate_into(accept, pointer),
+                    |b| b.evaluate_into(reject, pointer),
+                );
+            }
+            ExprKind::Comma(first, second) => {
+                self.effect(first);
+                self.evaluate_into(second, pointer);
+            }
+            ExprKind::Constant(constant) => {
+                self.store_constant(pointer, Part::whole(constant), ty);
+            }
+            _ => {
+                let value = self.value_here(id);
+                self.store(pointer, value);
+            }
+        }
+        self.span = before;
+    }
+
+    /// A choice of which both sides are evaluated, if that is harmless and cheap.
+    fn without_branch(&mut self, id: Id<Expr>) -> Option<H> {
+        let Expr { kind, ty, .. } = self.source.exprs[id];
+        match kind {
+            ExprKind::And(left, right) | ExprKind::Or(left, right) => {
+                self.cost(right, CHEAP)?;
+                let left = self.value(left);
+                let right = self.value(right);
+                let op = match kind {
+                    ExprKind::And(..) => BinaryOperator::LogicalAnd,
+                    _ => BinaryOperator::LogicalOr,
+                };
+                Some(self.binary(op, left, right))
+            }
+            ExprKind::Ternary(condition, accept, reject) => {
+                ty.vector_size()?;
+                let rest = self.cost(accept, CHEAP)?;
+                self.cost(reject, rest)?;
+                let condition = self.value(condition);
+                let accept = self.value(accept);
+                let reject = self.value(reject);
+                Some(self.select(condition, accept, reject))
+            }
+            _ => None,
+        }
+    }
+
+    /// What remains of a budget after an expression that may be computed in vain; `None` when it is
+    /// used up, or when the expression does more than compute.
+    fn cost(&self, id: Id<Expr>, budget: u32) -> Option<u32> {
+        let Expr { kind, ty, .. } = self.source.exprs[id];
+        let own = match kind {
+            ExprKind::Constant(_) if ty.is_array() => return None,
+            ExprKind::Constant(_) | ExprKind::Member(..) | ExprKind::Swizzle(..) => 0,
+            ExprKind::Local(_) | ExprKind::Global(_) if ty.is_array() => 0,
+            ExprKind::Unary(..) | ExprKind::Local(_) | ExprKind::Global(_) => 1,
+            ExprKind::Construct(_) | ExprKind::Comma(..) => 1,
+            ExprKind::Binary(BinaryOp::Divide | BinaryOp::Remainder, _, divisor)
+                if ty.scalar() != Some(Scalar::Float) && !self.is_safe_divisor(divisor) =>
+            {
+                return None;
+            }
+            ExprKind::Binary(..) | ExprKind::And(..) | ExprKind::Or(..) | ExprKind::Ternary(..) => {
+                if ty.is_matrix() {
+                    8
+                } else {
+                    1
+                }
+            }
+            ExprKind::Index(base, index) => {
+                let of = self.source.exprs[base].ty;
+                if !self.is_below(index, super::place::count(of)) {
+                    return None;
+                }
+                1
+            }
+            ExprKind::Builtin(builtin, _) => builtin_cost(builtin)?,
+            ExprKind::Assign(..)
+            | ExprKind::Compound(..)
+            | ExprKind::Increment { .. }
+            | ExprKind::Call(..) => return None,
+        };
+        let mut rest = budget.checked_sub(own);
+        prune::operands(self.source, id, &mut |operand| {
+            if self.source.exprs[operand].ty.sampler().is_none() {
+                rest = rest.and_then(|rest| self.cost(operand, rest));
+            }
+        });
+        rest
+    }
+
+    /// Whether evaluating an expression changes anything.
+    pub(super) fn has_effect(&mut self, id: Id<Expr>) -> bool {
+        if let Some(&known) = self.effects.get(&id) {
+            return known;
+        }
+        let known = match self.source.exprs[id].kind {
+            ExprKind::Assign(..)
+            | ExprKind::Compound(..)
+            | ExprKind::Increment { .. }
+            | ExprKind::Call(..)
+            | ExprKind::Builtin(Builtin::Modf, _) => true,
+            _ => {
+                let mut operands = Vec::new();
+                prune::operands(self.source, id, &mut |operand| operands.push(operand));
+                operands.into_iter().any(|operand| self.has_effect(operand))
+            }
+        };
+        self.effects.insert(id, known);
+        known
+    }
+
+    /// Appends an `If`.
+    pub(super) fn branch(
+        &mut self,
+        condition: H,
+        accept: impl FnOnce(&mut Self),
+        reject: impl FnOnce(&mut Self),
+    ) {
+        self.open();
+        accept(self);
+        let accept = self.close();
+        self.open();
+        reject(self);
+        let reject = self.close();
+        self.push(Statement::If {
+            condition,
+            accept,
+            reject,
+        });
+    }
+
+    /// The values before and after `++` or `--`.
+    fn increment(
+        &mut self,
+        place: Id<Expr>,
+        down: bool,
+        extent: crate::glsl::hir::Extent,
+    ) -> (H, H) {
+        let place = self.place(place);
+        let Place { ty, .. } = place;
+        let scalar = ty.scalar().expect("only numbers are counted");
+        debug_assert!(
+            !matches!(place.source, Source::Value(_)),
+            "values do not change"
+        );
+        let old = self.load_place(place);
+        let one = Typed {
+            value: self.number(1, scalar),
+            ty: Type::vector(scalar, 1),
+        };
+        let op = if down {
+            BinaryOp::Subtract
+        } else {
+            BinaryOp::Add
+        };
+        let new = self.operate(op, Typed { value: old, ty }, one, extent);
+        self.store_place(place, new);
+        (old, new)
+    }
+
+    fn unary(&mut self, op: UnaryOp, operand: H, ty: Type) -> H {
+        match (op, ty.base) {
+            (UnaryOp::Not, _) => self.not(operand),
+            (UnaryOp::Complement, _) => self.add(naga::Expression::Unary {
+                op: naga::UnaryOperator::BitwiseNot,
+                expr: operand,
+            }),
+            (UnaryOp::Negate, Base::Matrix { .. }) => {
+                let minus_one = self.float(-1.0);
+                self.product(operand, minus_one)
+            }
+            (UnaryOp::Negate, Base::Scalar(Scalar::Uint) | Base::Vector(Scalar::Uint, _)) => {
+                let zero = self.zero(ty);
+                self.difference(zero, operand)
+            }
+            (UnaryOp::Negate, _) => self.negate(operand),
+        }
+    }
+}
+
+/// A value of the function that is being built, and its type.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Typed {
+    pub value: H,
+    pub ty: Type,
+}
+
+/// What a built-in function costs to compute in vain.
+fn builtin_cost(builtin: Builtin) -> Option<u32> {
+    use Builtin as B;
+    Some(match builtin {
+        B::Modf | B::Inverse | B::Determinant => return None,
+        // These compare neighbouring pixels, and must not stand where only some of them come by.
+        B::Texture
+        | B::TextureOffset
+        | B::TextureProj
+        | B::TextureProjOffset
+        | B::DFdx
+        | B::DFdy
+        | B::Fwidth => 8,
+        B::TextureLod
+        | B::TexelFetch
+        | B::TexelFetchOffset
+        | B::TextureProjLod
+        | B::TextureProjLodOffset
+        | B::TextureLodOffset
+        | B::TextureGrad
+        | B::TextureGradOffset
+        | B::TextureProjGrad
+        | B::TextureProjGradOffset => 16,
+        B::Abs | B::Sign | B::Floor | B::Trunc | B::Round | B::RoundEven | B::Ceil | B::Fract => 1,
+        B::Min | B::Max | B::Step | B::Clamp | B::Mix | B::Mod | B::Dot | B::Sqrt => 2,
+        _ => 4,
+    })
+}

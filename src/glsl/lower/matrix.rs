@@ -1,0 +1,152 @@
+//! Matrices. naga's know products, sums and differences; the rest goes column by column.
+
+use naga::{BinaryOperator, MathFunction};
+
+use super::expression::Typed;
+use super::function::{Builder, H};
+use crate::glsl::types::{Base, Scalar, Type};
+
+impl Builder<'_, '_> {
+    /// Arithmetic in which one operand at least is a matrix.
+    pub(super) fn matrix_arithmetic(&mut self, op: BinaryOperator, left: Typed, right: Typed) -> H {
+        let both = left.ty.is_matrix() && right.ty.is_matrix();
+        let direct = match op {
+            BinaryOperator::Multiply => true,
+            BinaryOperator::Add | BinaryOperator::Subtract => both,
+            _ => false,
+        };
+        if direct {
+            return self.binary(op, left.value, right.value);
+        }
+        let ty = if left.ty.is_matrix() {
+            left.ty
+        } else {
+            right.ty
+        };
+        let (columns, rows) = sides(ty);
+        let [left, right] = [left, right].map(|operand| {
+            if operand.ty.is_matrix() {
+                self.components(operand.value, columns)
+            } else {
+                vec![self.splat(operand.value, rows); columns.into()]
+            }
+        });
+        let columns = left.into_iter().zip(right);
+        let columns = columns.map(|(left, right)| self.binary(op, left, right));
+        let columns = columns.collect();
+        self.compose(ty, columns)
+    }
+
+    /// `matrixCompMult`
+    pub(super) fn component_product(&mut self, left: H, right: H, ty: Type) -> H {
+        let (columns, _) = sides(ty);
+        let columns = (0..u32::from(columns))
+            .map(|i| {
+                let [left, right] = [left, right].map(|matrix| self.part(matrix, i));
+                self.product(left, right)
+            })
+            .collect();
+        self.compose(ty, columns)
+    }
+
+    /// `outerProduct`
+    pub(super) fn outer_product(&mut self, column: H, row: H, ty: Type) -> H {
+        let (columns, _) = sides(ty);
+        let columns = (0..u32::from(columns))
+            .map(|i| {
+                let factor = self.part(row, i);
+                self.product(column, factor)
+            })
+            .collect();
+        self.compose(ty, columns)
+    }
+
+    /// `inverse`, by the adjugate. Two of naga's writers have none.
+    pub(super) fn inverse(&mut self, matrix: H, ty: Type) -> H {
+        let (size, _) = sides(ty);
+        let columns = self.components(matrix, size);
+        match *columns {
+            [a, b] => self.inverse2(a, b),
+            [a, b, c] => self.inverse3(a, b, c),
+            [a, b, c, d] => self.inverse4([a, b, c, d]),
+            _ => unreachable!("matrices have two to four columns"),
+        }
+    }
+
+    fn inverse2(&mut self, a: H, b: H) -> H {
+        let vec2 = Type::vector(Scalar::Float, 2);
+        let [ax, ay, bx, by] = [(a, 0), (a, 1), (b, 0), (b, 1)].map(|(v, i)| self.part(v, i));
+        let [left, right] = [(ax, by), (bx, ay)].map(|(x, y)| self.product(x, y));
+        let determinant = self.difference(left, right);
+        let factor = self.reciprocal(determinant);
+        let [minus_ay, minus_bx] = [ay, bx].map(|value| self.negate(value));
+        let first = self.compose(vec2, vec![by, minus_ay]);
+        let second = self.compose(vec2, vec![minus_bx, ax]);
+        let columns = [first, second].map(|column| self.product(column, factor));
+        self.compose(Type::matrix(2, 2), columns.to_vec())
+    }
+
+    fn inverse3(&mut self, a: H, b: H, c: H) -> H {
+        let rows = [(b, c), (c, a), (a, b)].map(|(u, v)| self.cross(u, v));
+        let determinant = self.dot(a, rows[0]);
+        let factor = self.reciprocal(determinant);
+        let rows = rows.map(|row| self.product(row, factor));
+        let rows = self.compose(Type::matrix(3, 3), rows.to_vec());
+        self.math(MathFunction::Transpose, &[rows])
+    }
+
+    /// After Lengyel, Foundations of Game Engine Development 1, §1.7.5: the minors of the upper three
+    /// rows come from four vectors.
+    fn inverse4(&mut self, columns: [H; 4]) -> H {
+        let [a, b, c, d] = columns.map(|column| self.swizzle(column, &[0, 1, 2]));
+        let [x, y, z, w] = columns.map(|column| self.part(column, 3));
+        let [s, t] = [(a, b), (c, d)].map(|(p, q)| self.cross(p, q));
+        let [u, v] = [(a, y, b, x), (c, w, d, z)].map(|(p, k, q, l)| {
+            let [p, q] = [(p, k), (q, l)].map(|(vector, factor)| self.product(vector, factor));
+            self.difference(p, q)
+        });
+        let [sv, tu] = [(s, v), (t, u)].map(|(p, q)| self.dot(p, q));
+        let determinant = self.sum(sv, tu);
+        let factor = self.reciprocal(determinant);
+        let [s, t, u, v] = [s, t, u, v].map(|vector| self.product(vector, factor));
+        let parts = [
+            (b, v, t, y, true),
+            (v, a, t, x, false),
+            (d, u, s, w, true),
+            (u, c, s, z, false),
+        ];
+        let ends = [(b, t, true), (a, t, false), (d, s, true), (c, s, false)];
+        let mut rows = Vec::new();
+        for ((p, q, r, k, plus), (e, f, minus)) in parts.into_iter().zip(ends) {
+            let cross = self.cross(p, q);
+            let scaled = self.product(r, k);
+            let row = if plus {
+                self.sum(cross, scaled)
+            } else {
+                self.difference(cross, scaled)
+            };
+            let end = self.dot(e, f);
+            let end = if minus { self.negate(end) } else { end };
+            rows.push(self.compose(Type::vector(Scalar::Float, 4), vec![row, end]));
+        }
+        let rows = self.compose(Type::matrix(4, 4), rows);
+        self.math(MathFunction::Transpose, &[rows])
+    }
+
+    fn cross(&mut self, left: H, right: H) -> H {
+        self.math(MathFunction::Cross, &[left, right])
+    }
+
+    fn reciprocal(&mut self, value: H) -> H {
+        let one = self.float(1.0);
+        self.quotient(one, value)
+    }
+}
+
+/// The numbers of columns and rows.
+pub(super) fn sides(ty: Type) -> (u8, u8) {
+    match ty.base {
+        Base::Matrix { columns, rows } => (columns, rows),
+        _ => unreachable!("it is no matrix"),
+    }
+}

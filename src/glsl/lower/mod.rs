@@ -1,0 +1,103 @@
+//! From the checked program to naga IR.
+//!
+//! naga has no conversions between its operands, no swizzled stores, no short circuits and no
+//! sampler objects of its own, and its validator trusts more than its writers can bear. What GLSL
+//! leaves to the compiler is spelled out here; [`verify`] holds the result against what the writers
+//! need.
+
+mod builtin;
+mod call;
+mod constant;
+mod construct;
+mod context;
+mod double;
+mod emit;
+mod entry;
+mod expression;
+mod function;
+mod interface;
+mod matrix;
+mod operator;
+mod place;
+mod range;
+mod statement;
+mod switch;
+mod table;
+#[cfg(test)]
+mod tests;
+mod texture;
+mod types;
+mod uniform;
+pub mod verify;
+
+use rustc_hash::FxHashMap;
+
+use super::Precision;
+use super::arena::Id;
+use super::builtins::Builtin;
+use super::hir::{Extent, Function, Hir};
+use super::prune::Reachable;
+
+pub use interface::{HostSampler, Interface, Tables, UniformBlock, UniformMember};
+
+/// How to lower a program.
+#[derive(Clone, Debug)]
+pub struct Options<'a> {
+    /// How many bits a `float` has.
+    pub precision: Precision,
+    /// What the host binds.
+    pub interface: &'a Interface,
+    /// In double precision, the functions to compute built-in functions with that graphics drivers
+    /// have for 32 bits only: of `float` parameters, one function for each number of them. Where
+    /// there is none, 32 bits must do.
+    pub double_functions: FxHashMap<Builtin, Vec<Id<Function>>>,
+}
+
+/// A program as the graphics libraries take it.
+#[derive(Clone, Debug)]
+pub struct Lowered {
+    /// The module. Its one entry point is the fragment shader `main`; what that does not need may
+    /// still be there, until `naga::compact` removes it.
+    pub module: naga::Module,
+    /// The block of the host's uniforms, if the program names any.
+    pub uniforms: Option<UniformBlock>,
+    /// The constant tables that the host must bind, if there are any.
+    pub tables: Option<Tables>,
+    /// What is not known to be harmless without run-time checks.
+    pub unguarded: Unguarded,
+}
+
+/// What is not known to be harmless without run-time checks, as far as the lowered functions go.
+#[derive(Clone, Debug, Default)]
+pub struct Unguarded {
+    /// Loops that may not end.
+    pub loops: Vec<Extent>,
+    /// Elements picked by an index that may be out of range.
+    pub accesses: Vec<Extent>,
+    /// Integer divisions whose divisor may be zero, or −1.
+    pub divisions: Vec<Extent>,
+}
+
+impl Unguarded {
+    /// Whether nothing needs a check.
+    pub fn is_empty(&self) -> bool {
+        self.loops.is_empty() && self.accesses.is_empty() && self.divisions.is_empty()
+    }
+}
+
+/// Lowers the reachable part of a program.
+///
+/// # Panics
+/// When the program is not what the checker lets through; debug builds also when the result is
+/// malformed.
+pub fn lower(hir: &Hir, reachable: &Reachable, options: &Options<'_>) -> Lowered {
+    let mut context = context::Context::new(hir, reachable, options);
+    context.add_functions();
+    context.add_entry_point();
+    let lowered = context.finish();
+    #[cfg(debug_assertions)]
+    if let Err(fault) = verify::verify(&lowered.module) {
+        panic!("lowered to malformed IR: {fault}");
+    }
+    lowered
+}

@@ -1,0 +1,74 @@
+//! White space and comments.
+
+use super::findings::Findings;
+use super::lexer::Lexer;
+use crate::source::Diagnostic;
+
+impl Lexer<'_> {
+    /// Moves over white space and comments, but not over line ends outside comments.
+    pub(super) fn skip_blanks(&mut self, findings: &mut Findings) -> bool {
+        let mut space = false;
+        loop {
+            match self.peek() {
+                b' ' | b'\t' | 0x0b | 0x0c => {
+                    self.at += 1;
+                    space = true;
+                }
+                b'/' => {
+                    let (start, lines) = (self.at, self.lines);
+                    self.at += 1;
+                    match self.peek() {
+                        // The line ends behind it, so that it is no white space for anyone.
+                        b'/' => self.line_comment(),
+                        b'*' => {
+                            self.block_comment(start, findings);
+                            space = true;
+                        }
+                        _ => {
+                            (self.at, self.lines) = (start, lines);
+                            return space;
+                        }
+                    }
+                }
+                _ => return space,
+            }
+        }
+    }
+
+    fn line_comment(&mut self) {
+        self.at += 1;
+        let bytes = self.text.as_bytes();
+        let is_line_end = |byte: &u8| matches!(byte, b'\n' | b'\r');
+        while let Some(length) = bytes[self.at..].iter().position(is_line_end) {
+            self.at += length;
+            if length == 0 || bytes[self.at - 1] != b'\\' {
+                return;
+            }
+            self.at += self.line_end(self.at);
+            self.lines += 1;
+        }
+        self.at = bytes.len();
+    }
+
+    fn block_comment(&mut self, start: usize, findings: &mut Findings) {
+        self.at += 1;
+        let opening = self.span(start, self.at);
+        while let Some(byte) = self.byte(self.at) {
+            self.at += 1;
+            match byte {
+                b'*' if self.peek() == b'/' => {
+                    self.at += 1;
+                    return;
+                }
+                b'\n' => self.lines += 1,
+                b'\r' if self.byte(self.at) != Some(b'\n') => self.lines += 1,
+                _ => {}
+            }
+        }
+        findings.push(
+            Diagnostic::error("unclosed-comment", "this comment is never closed")
+                .at(opening)
+                .hint("add `*/` where it should end"),
+        );
+    }
+}

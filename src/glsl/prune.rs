@@ -1,0 +1,244 @@
+//! Finds what a program needs: from `main`, over its calls, to functions and global variables.
+//! Helpers that are pasted along but never called shall cost nothing and demand nothing.
+
+use rustc_hash::FxHashSet;
+
+use super::arena::Id;
+use super::hir::{
+    Direction, Expr, ExprKind, Function, Global, GlobalKind, Hir, Loop, Stmt, StmtKind, Switch,
+};
+
+use super::builtins::Builtin;
+
+/// What is needed of a program.
+#[derive(Clone, Debug, Default)]
+pub struct Reachable {
+    /// The functions, each behind those that it calls; `main` is the last.
+    pub functions: Vec<Id<Function>>,
+    /// The global variables that they name, in order of declaration.
+    pub globals: Vec<Id<Global>>,
+    /// Those of the global variables that they may assign to.
+    pub written: FxHashSet<Id<Global>>,
+    /// Whether [`Hir::initialisers`] sets any of them, and hence must be called.
+    pub initialised: bool,
+}
+
+impl Reachable {
+    /// What `main` needs.
+    ///
+    /// # Panics
+    /// When the program has no `main`.
+    pub fn new(hir: &Hir) -> Self {
+        let main = hir.main.expect("a checked program has a main");
+        let mut search = Search::new(hir);
+        if let Some(initialisers) = hir.initialisers {
+            // Its calls may do anything, so it is needed whole or not at all.
+            let mut before = Search::new(hir);
+            before.add(initialisers);
+            search.add(main);
+            if before.written.iter().any(|id| search.used.contains(id)) {
+                before.add(main);
+                before.initialised = true;
+                search = before;
+            }
+        } else {
+            search.add(main);
+        }
+        search.finish()
+    }
+}
+
+struct Search<'a> {
+    hir: &'a Hir,
+    seen: FxHashSet<Id<Function>>,
+    functions: Vec<Id<Function>>,
+    used: FxHashSet<Id<Global>>,
+    written: FxHashSet<Id<Global>>,
+    initialised: bool,
+}
+
+impl<'a> Search<'a> {
+    fn new(hir: &'a Hir) -> Self {
+        Search {
+            hir,
+            seen: FxHashSet::default(),
+            functions: Vec::new(),
+            used: FxHashSet::default(),
+            written: FxHashSet::default(),
+            initialised: false,
+        }
+    }
+
+    /// Adds a function behind all that it calls. The stack is a list: call chains may be long.
+    fn add(&mut self, root: Id<Function>) {
+        let mut open = Vec::new();
+        if self.seen.insert(root) {
+            open.push((root, self.visit(root)));
+        }
+        while let Some((function, callees)) = open.last_mut() {
+            let function = *function;
+            match callees.pop() {
+                Some(callee) => {
+                    if self.seen.insert(callee) {
+                        let callees = self.visit(callee);
+                        open.push((callee, callees));
+                    }
+                }
+                None => {
+                    self.functions.push(function);
+                    open.pop();
+                }
+            }
+        }
+    }
+
+    /// Notes the globals of a function and returns what it calls.
+    fn visit(&mut self, id: Id<Function>) -> Vec<Id<Function>> {
+        let function = &self.hir.functions[id];
+        let mut callees = Vec::new();
+        for id in expressions(function) {
+            match function.exprs[id].kind {
+                ExprKind::Global(global) => {
+                    self.used.insert(global);
+                }
+                ExprKind::Assign(place, _)
+                | ExprKind::Compound(_, place, _)
+                | ExprKind::Increment { place, .. } => self.write(function, place),
+                ExprKind::Call(callee, operands) => {
+                    callees.push(callee);
+                    let directions = &self.hir.functions[callee].parameters;
+                    let operands = function.operands.get(operands);
+                    for (&operand, direction) in operands.iter().zip(directions) {
+                        if *direction != Direction::In {
+                            self.write(function, operand);
+                        }
+                    }
+                }
+                ExprKind::Builtin(Builtin::Modf, operands) => {
+                    self.write(function, function.operands.get(operands)[1]);
+                }
+                _ => {}
+            }
+        }
+        // The first call in the text comes first in the list.
+        callees.reverse();
+        callees
+    }
+
+    fn write(&mut self, function: &Function, place: Id<Expr>) {
+        if let ExprKind::Global(global) = function.exprs[root(function, place)].kind {
+            self.written.insert(global);
+        }
+    }
+
+    fn finish(mut self) -> Reachable {
+        // The colour is what all this is for, even if no one sets it.
+        for (id, global) in self.hir.globals.iter() {
+            if global.kind == GlobalKind::Output(0) {
+                self.used.insert(id);
+                self.written.insert(id);
+            }
+        }
+        let mut globals: Vec<_> = self.used.into_iter().collect();
+        globals.sort_unstable();
+        Reachable {
+            functions: self.functions,
+            globals,
+            written: self.written,
+            initialised: self.initialised,
+        }
+    }
+}
+
+/// The variable that a place is a part of, or whatever else a chain of members and indices begins with.
+pub fn root(function: &Function, mut id: Id<Expr>) -> Id<Expr> {
+    while let ExprKind::Index(base, _) | ExprKind::Member(base, _) | ExprKind::Swizzle(base, _) =
+        function.exprs[id].kind
+    {
+        id = base;
+    }
+    id
+}
+
+/// Every expression that a function's body contains, operands behind what uses them.
+pub fn expressions(function: &Function) -> Vec<Id<Expr>> {
+    expressions_in(function, &function.body)
+}
+
+/// Every expression that some of a function's statements contain, operands behind what uses them.
+pub fn expressions_in(function: &Function, body: &[Stmt]) -> Vec<Id<Expr>> {
+    let mut roots = Vec::new();
+    statement_roots(body, &mut roots);
+    let mut found = Vec::new();
+    roots.reverse();
+    while let Some(id) = roots.pop() {
+        found.push(id);
+        let first = roots.len();
+        operands(function, id, &mut |operand| roots.push(operand));
+        roots[first..].reverse();
+    }
+    found
+}
+
+/// Calls back with every operand of an expression, from left to right.
+pub fn operands(function: &Function, id: Id<Expr>, each: &mut dyn FnMut(Id<Expr>)) {
+    match function.exprs[id].kind {
+        ExprKind::Constant(_) | ExprKind::Local(_) | ExprKind::Global(_) => {}
+        ExprKind::Unary(_, a)
+        | ExprKind::Increment { place: a, .. }
+        | ExprKind::Member(a, _)
+        | ExprKind::Swizzle(a, _) => each(a),
+        ExprKind::Binary(_, a, b)
+        | ExprKind::And(a, b)
+        | ExprKind::Or(a, b)
+        | ExprKind::Comma(a, b)
+        | ExprKind::Assign(a, b)
+        | ExprKind::Compound(_, a, b)
+        | ExprKind::Index(a, b) => {
+            each(a);
+            each(b);
+        }
+        ExprKind::Ternary(a, b, c) => {
+            each(a);
+            each(b);
+            each(c);
+        }
+        ExprKind::Construct(row) | ExprKind::Call(_, row) | ExprKind::Builtin(_, row) => {
+            function.operands.get(row).iter().copied().for_each(each);
+        }
+    }
+}
+
+/// The expressions that statements hold, in the order of the text but for loops' parts.
+fn statement_roots(body: &[Stmt], roots: &mut Vec<Id<Expr>>) {
+    let mut open: Vec<&Stmt> = body.iter().rev().collect();
+    while let Some(stmt) = open.pop() {
+        match &stmt.kind {
+            StmtKind::Expression(id) => roots.push(*id),
+            StmtKind::Declare(_, value) | StmtKind::Return(value) => roots.extend(*value),
+            StmtKind::Block(body) => open.extend(body.iter().rev()),
+            StmtKind::If(condition, accept, reject) => {
+                roots.push(*condition);
+                open.extend(reject.iter().rev());
+                open.extend(accept.iter().rev());
+            }
+            StmtKind::Loop(Loop {
+                condition,
+                step,
+                body,
+                ..
+            }) => {
+                roots.extend(*condition);
+                roots.extend(*step);
+                open.extend(body.iter().rev());
+            }
+            StmtKind::Switch(Switch { selector, arms }) => {
+                roots.push(*selector);
+                for arm in arms.iter().rev() {
+                    open.extend(arm.body.iter().rev());
+                }
+            }
+            StmtKind::Break | StmtKind::Continue | StmtKind::Discard => {}
+        }
+    }
+}

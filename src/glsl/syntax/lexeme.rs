@@ -1,0 +1,210 @@
+//! What the parser sees of a preprocessing token: everything in this folder that knows what tokens
+//! look like is here.
+
+use super::ast::TokenIndex;
+use super::words::{KNOWN, Known, Word, spelled};
+use crate::glsl::names::{Name, Names};
+use crate::glsl::preprocess::{Kind, Token};
+use crate::glsl::types::Base;
+use crate::source::{Diagnostic, Span};
+
+/// One token, as the grammar takes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Lexeme {
+    /// A name of the program.
+    Name(Name),
+    /// The 32 bits of a whole number.
+    Int(i32),
+    /// A whole number with `u`.
+    Uint(u32),
+    /// A number with a point or an exponent.
+    Float(f64),
+    /// `true` or `false`.
+    Bool(bool),
+    /// A type that has a keyword.
+    Type(Base),
+    /// Any other keyword.
+    Word(Word),
+    /// An operator or a bracket.
+    Symbol(Symbol),
+    /// What the preprocessor has already refused.
+    Refused,
+    /// Behind the last token.
+    End,
+}
+
+spelled! {
+    /// An operator or a bracket.
+    Symbol {
+        LeftParenthesis = "(",
+        RightParenthesis = ")",
+        LeftBracket = "[",
+        RightBracket = "]",
+        LeftBrace = "{",
+        RightBrace = "}",
+        Dot = ".",
+        Comma = ",",
+        Colon = ":",
+        Semicolon = ";",
+        Question = "?",
+        Assign = "=",
+        Not = "!",
+        Complement = "~",
+        Plus = "+",
+        Minus = "-",
+        Star = "*",
+        Slash = "/",
+        Percent = "%",
+        Less = "<",
+        Greater = ">",
+        Or = "|",
+        Xor = "^",
+        And = "&",
+        Increment = "++",
+        Decrement = "--",
+        LessEqual = "<=",
+        GreaterEqual = ">=",
+        Equal = "==",
+        NotEqual = "!=",
+        AndAnd = "&&",
+        OrOr = "||",
+        XorXor = "^^",
+        ShiftLeft = "<<",
+        ShiftRight = ">>",
+        PlusAssign = "+=",
+        MinusAssign = "-=",
+        StarAssign = "*=",
+        SlashAssign = "/=",
+        PercentAssign = "%=",
+        AndAssign = "&=",
+        OrAssign = "|=",
+        XorAssign = "^=",
+        ShiftLeftAssign = "<<=",
+        ShiftRightAssign = ">>=",
+    }
+}
+
+/// A text's tokens, read once.
+#[derive(Debug)]
+pub(super) struct Lexemes {
+    /// One for each token, and [`Lexeme::End`].
+    pub list: Vec<Lexeme>,
+    /// Reserved words that are used as names, each with its first place.
+    pub reserved: Vec<(Name, TokenIndex)>,
+}
+
+/// Reads the tokens.
+pub(super) fn read(tokens: &[Token<'_>], names: &mut Names) -> Lexemes {
+    let known = &*KNOWN;
+    let mut list = Vec::with_capacity(tokens.len() + 1);
+    let mut reserved: Vec<(Name, TokenIndex)> = Vec::new();
+    let mut after_dot = false;
+    for (index, token) in tokens.iter().enumerate() {
+        let text: &str = &token.text;
+        let lexeme = match token.kind {
+            // Behind a dot every word is just a name.
+            Kind::Identifier if after_dot => Lexeme::Name(names.intern(text)),
+            Kind::Identifier => match known.get(text) {
+                None => Lexeme::Name(names.intern(text)),
+                Some(Known::Lexeme(lexeme)) => *lexeme,
+                Some(Known::Reserved) => {
+                    let name = names.intern(text);
+                    if reserved.iter().all(|(earlier, _)| *earlier != name) {
+                        reserved.push((name, index as TokenIndex));
+                    }
+                    Lexeme::Name(name)
+                }
+            },
+            Kind::Number => number(text),
+            Kind::Punctuator => match known.get(text) {
+                Some(Known::Lexeme(symbol)) => *symbol,
+                _ => Lexeme::Refused,
+            },
+            Kind::Odd | Kind::LineEnd => Lexeme::Refused,
+        };
+        after_dot = lexeme == Lexeme::Symbol(Symbol::Dot);
+        list.push(lexeme);
+    }
+    list.push(Lexeme::End);
+    Lexemes { list, reserved }
+}
+
+/// The value of a number. One that is not well-formed has been refused already and counts as zero, so
+/// that it is not refused once more.
+fn number(text: &str) -> Lexeme {
+    let bytes = text.as_bytes();
+    let (digits, radix) = match bytes {
+        [b'0', b'x' | b'X', ..] => (&text[2..], 16),
+        _ if bytes.iter().any(|byte| matches!(byte, b'.' | b'e' | b'E')) => {
+            let digits = text.trim_end_matches(['f', 'F']);
+            return Lexeme::Float(digits.parse().unwrap_or(0.0));
+        }
+        [b'0', b'0'..=b'9', ..] => (&text[1..], 8),
+        _ => (text, 10),
+    };
+    match digits.strip_suffix(['u', 'U']) {
+        Some(digits) => Lexeme::Uint(u32::from_str_radix(digits, radix).unwrap_or(0)),
+        // The specification has a number's bits decide, not its sign.
+        None => Lexeme::Int(u32::from_str_radix(digits, radix).unwrap_or(0) as i32),
+    }
+}
+
+/// Points a diagnostic at a token.
+pub(super) fn blame(token: &Token<'_>, diagnostic: Diagnostic) -> Diagnostic {
+    diagnostic.at(token.span)
+}
+
+/// Points a diagnostic at what should follow a token.
+pub(super) fn blame_behind(token: &Token<'_>, diagnostic: Diagnostic) -> Diagnostic {
+    diagnostic.at(Span {
+        start: token.span.end,
+        ..token.span
+    })
+}
+
+/// A token's spelling, as messages quote it.
+pub(super) fn quoted(token: &Token<'_>) -> String {
+    const MOST: usize = 40;
+    match token.text.char_indices().nth(MOST) {
+        Some((end, _)) => format!("`{}…`", &token.text[..end]),
+        None => format!("`{}`", token.text),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lexemes_are_small() {
+        assert!(size_of::<Lexeme>() <= 16);
+    }
+
+    #[test]
+    fn values_of_numbers() {
+        for (text, value) in [
+            ("0", Lexeme::Int(0)),
+            ("42", Lexeme::Int(42)),
+            ("017", Lexeme::Int(15)),
+            ("0x1f", Lexeme::Int(31)),
+            ("0xFFFFFFFF", Lexeme::Int(-1)),
+            ("4294967295", Lexeme::Int(-1)),
+            ("2147483648", Lexeme::Int(i32::MIN)),
+            ("0u", Lexeme::Uint(0)),
+            ("0xeu", Lexeme::Uint(14)),
+            ("4294967295U", Lexeme::Uint(u32::MAX)),
+            ("1.", Lexeme::Float(1.0)),
+            (".5f", Lexeme::Float(0.5)),
+            ("1e3", Lexeme::Float(1000.0)),
+            ("1.e-3F", Lexeme::Float(0.001)),
+            ("08.5", Lexeme::Float(8.5)),
+            ("0.1", Lexeme::Float(0.1)),
+            ("1e9999", Lexeme::Float(f64::INFINITY)),
+            // Refused by the preprocessor.
+            ("1.2.3", Lexeme::Float(0.0)),
+            ("0x", Lexeme::Int(0)),
+        ] {
+            assert_eq!(number(text), value, "{text}");
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! What a pass reads through `iChannel0` to `iChannel3`, and how.
+
+use super::BufferLetter;
+
+/// What is bound to one channel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Channel {
+    /// Where the texels come from.
+    pub input: Input,
+    /// How they are read.
+    pub sampling: Sampling,
+}
+
+/// A source of texels.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Input {
+    /// The generated noise texture, see [`noise_texture`](super::noise_texture).
+    Noise,
+    /// A picture of the site's.
+    Texture(Media),
+    /// Six pictures of the site's, around the viewer.
+    Cubemap(Media),
+    /// A block of texels of the site's.
+    Volume(Media),
+    /// What a buffer pass drew, this frame if it is drawn before the reader, else in the last one. A
+    /// scene may read a buffer that no pass draws: it stays clear.
+    Buffer(BufferLetter),
+    /// What the cubemap pass drew.
+    CubeBuffer,
+    /// Which keys are held, were just pressed, and are toggled.
+    Keyboard,
+    /// Spectrum and waveform of a piece of music of the site's.
+    Music(Media),
+    /// The same of music from a streaming service.
+    MusicStream(Media),
+    /// The same of the microphone.
+    Mic,
+    /// A film of the site's.
+    Video(Media),
+    /// The camera.
+    Webcam,
+}
+
+impl Input {
+    /// What this kind of input is called: in a manifest, by the site's JSON, or by its tab.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Input::Noise => "noise",
+            Input::Texture(_) => "texture",
+            Input::Cubemap(_) => "cubemap",
+            Input::Volume(_) => "volume",
+            Input::Buffer(letter) => letter.pass_name(),
+            Input::CubeBuffer => "Cube A",
+            Input::Keyboard => "keyboard",
+            Input::Music(_) => "music",
+            Input::MusicStream(_) => "musicstream",
+            Input::Mic => "mic",
+            Input::Video(_) => "video",
+            Input::Webcam => "webcam",
+        }
+    }
+
+    /// How the channel is declared.
+    pub fn sampler(&self) -> SamplerKind {
+        match self {
+            Input::Cubemap(_) | Input::CubeBuffer => SamplerKind::Cube,
+            Input::Volume(_) => SamplerKind::ThreeD,
+            _ => SamplerKind::TwoD,
+        }
+    }
+
+    /// Which of the site's files it is, if it is one.
+    pub fn media(&self) -> Option<&Media> {
+        match self {
+            Input::Texture(media)
+            | Input::Cubemap(media)
+            | Input::Volume(media)
+            | Input::Music(media)
+            | Input::MusicStream(media)
+            | Input::Video(media) => Some(media),
+            _ => None,
+        }
+    }
+}
+
+/// One of the site's files, as its JSON names it. Both are text that came with the scene: a path here
+/// is a name to look up, never one to open.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Media {
+    /// Six characters, or a number in the public interface.
+    pub id: String,
+    /// A path on the site, or the address of a stream.
+    pub path: String,
+}
+
+/// The types of sampler that a channel can be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum SamplerKind {
+    /// `sampler2D`, also what an unbound channel is.
+    #[default]
+    TwoD,
+    /// `sampler3D`
+    ThreeD,
+    /// `samplerCube`
+    Cube,
+}
+
+impl SamplerKind {
+    /// The type's name in GLSL.
+    pub fn glsl(self) -> &'static str {
+        match self {
+            SamplerKind::TwoD => "sampler2D",
+            SamplerKind::ThreeD => "sampler3D",
+            SamplerKind::Cube => "samplerCube",
+        }
+    }
+}
+
+/// ShaderToy's sampler settings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sampling {
+    /// Between texels.
+    pub filter: Filter,
+    /// Beyond the edges.
+    pub wrap: Wrap,
+    /// Whether v = 0 is the bottom row of a picture. Only textures, cubemaps, films and the camera
+    /// heed it.
+    pub vflip: bool,
+}
+
+/// How a value between texels is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Filter {
+    /// The texel nearest to the coordinate.
+    Nearest,
+    /// Linear between the four texels around it; no smaller levels exist.
+    Linear,
+    /// As `Linear`, and linear between levels where the texture is shrunk.
+    Mipmap,
+}
+
+impl Filter {
+    /// The site's spelling.
+    pub fn name(self) -> &'static str {
+        match self {
+            Filter::Nearest => "nearest",
+            Filter::Linear => "linear",
+            Filter::Mipmap => "mipmap",
+        }
+    }
+}
+
+/// What lies beyond the edges of a texture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Wrap {
+    /// The edge texel.
+    Clamp,
+    /// The texture again.
+    Repeat,
+}
+
+impl Wrap {
+    /// The site's spelling.
+    pub fn name(self) -> &'static str {
+        match self {
+            Wrap::Clamp => "clamp",
+            Wrap::Repeat => "repeat",
+        }
+    }
+}

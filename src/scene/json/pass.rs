@@ -1,0 +1,146 @@
+//! The passes of a shader: which tab each is, and its text.
+
+use serde::Deserialize;
+use serde_json::value::RawValue;
+
+use super::super::{BufferLetter, CHANNELS, Channel, PassKind};
+use super::{Loose, Reader, input, problem};
+use crate::source::Diagnostic;
+
+/// What an entry of `renderpass` is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tab {
+    /// Text that every pass begins with.
+    Common,
+    Pass(PassKind),
+}
+
+/// An entry of `renderpass`.
+pub(super) struct Parsed {
+    pub kind: Tab,
+    pub code: String,
+    pub channels: [Option<Channel>; CHANNELS],
+}
+
+#[derive(Deserialize)]
+struct RenderPass<'a> {
+    #[serde(rename = "type")]
+    kind: Loose,
+    name: Option<Loose>,
+    code: String,
+    #[serde(borrow)]
+    inputs: Option<Vec<&'a RawValue>>,
+    /// Old entries have all sorts of things here.
+    #[serde(borrow)]
+    outputs: Option<&'a RawValue>,
+}
+
+#[derive(Deserialize)]
+struct Output {
+    id: Loose,
+}
+
+/// Reads all entries, in the file's order.
+pub(super) fn tabs<'a>(
+    reader: &Reader<'a>,
+    entries: &[&'a RawValue],
+    warnings: &mut Vec<Diagnostic>,
+) -> Result<Vec<Parsed>, Diagnostic> {
+    let mut passes = Vec::new();
+    for entry in entries {
+        passes.push(reader.parse::<RenderPass>(entry.get())?);
+    }
+    let letters = letters(reader, entries, &passes)?;
+    let mut tabs = Vec::new();
+    for ((pass, entry), letter) in passes.into_iter().zip(entries).zip(letters) {
+        let kind = match (&*pass.kind.0, letter) {
+            ("common", _) => Tab::Common,
+            ("image", _) => Tab::Pass(PassKind::Image),
+            ("cubemap", _) => Tab::Pass(PassKind::Cube),
+            ("sound", _) => Tab::Pass(PassKind::Sound),
+            ("buffer", Some(letter)) => Tab::Pass(PassKind::Buffer(letter)),
+            (other, _) => {
+                return Err(problem(format!("a pass has the unknown type `{other}`"))
+                    .at(reader.start(entry.get()))
+                    .hint("passes are of type image, buffer, cubemap, sound or common"));
+            }
+        };
+        let mut channels = [const { None }; CHANNELS];
+        for part in pass.inputs.iter().flatten() {
+            match input::channel(reader, part.get())? {
+                // Of two inputs on one channel, the site binds the later.
+                Ok((index, channel)) => channels[index] = Some(channel),
+                Err(warning) => warnings.push(warning),
+            }
+        }
+        tabs.push(Parsed {
+            kind,
+            code: pass.code,
+            channels,
+        });
+    }
+    Ok(tabs)
+}
+
+/// Which buffer each pass of type `buffer` is: what its output says, else its name, else the first
+/// letter that is left.
+fn letters(
+    reader: &Reader<'_>,
+    entries: &[&RawValue],
+    passes: &[RenderPass<'_>],
+) -> Result<Vec<Option<BufferLetter>>, Diagnostic> {
+    let is_buffer = |pass: &RenderPass<'_>| pass.kind.0 == "buffer";
+    let mut letters: Vec<_> = passes
+        .iter()
+        .map(|pass| is_buffer(pass).then(|| named(pass)).flatten())
+        .collect();
+    for (index, pass) in passes.iter().enumerate() {
+        if is_buffer(pass) && letters[index].is_none() {
+            let mut all = BufferLetter::ALL.into_iter();
+            let free = all.find(|&letter| !letters.contains(&Some(letter)));
+            letters[index] = Some(free.ok_or_else(|| {
+                problem("there are more buffers than four, and this one does not say which it is")
+                    .at(reader.start(entries[index].get()))
+            })?);
+        }
+    }
+    Ok(letters)
+}
+
+fn named(pass: &RenderPass<'_>) -> Option<BufferLetter> {
+    let from_output = pass
+        .outputs
+        .and_then(output_id)
+        .and_then(|id| buffer_of_id(&id));
+    from_output.or_else(|| {
+        let name = &pass.name.as_ref()?.0;
+        let letter = name.strip_prefix("Buf")?.trim_start_matches("fer");
+        let at = ["A", "B", "C", "D"]
+            .iter()
+            .position(|l| *l == letter.trim());
+        Some(BufferLetter::ALL[at?])
+    })
+}
+
+/// The id of a pass's first output. The dialects write a list of objects, older files plain values.
+fn output_id(outputs: &RawValue) -> Option<String> {
+    let first = match serde_json::from_str::<Vec<&RawValue>>(outputs.get()) {
+        Ok(list) => list.first()?.get(),
+        Err(_) => outputs.get(),
+    };
+    let id = serde_json::from_str::<Output>(first).map(|output| output.id);
+    let id = id.or_else(|_| serde_json::from_str::<Loose>(first));
+    id.ok().map(|id| id.0)
+}
+
+/// The buffer that an id stands for: the site's own, or the public interface's number.
+pub(super) fn buffer_of_id(id: &str) -> Option<BufferLetter> {
+    let at = match id {
+        "4dXGR8" | "257" => 0,
+        "XsXGR8" | "258" => 1,
+        "4sXGR8" | "259" => 2,
+        "XdfGR8" | "260" => 3,
+        _ => return None,
+    };
+    Some(BufferLetter::ALL[at])
+}
