@@ -2,7 +2,7 @@ use std::collections::BTreeSet;
 use std::error::Error as _;
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
-use naga::{AddressSpace, Expression, Function, GlobalVariable, Handle, Module, TypeInner};
+use naga::{Expression, Function, GlobalVariable, Handle, Module, TypeInner};
 
 use super::bindings::{self, Uniform};
 use crate::glsl::lower::Lowered;
@@ -115,7 +115,7 @@ impl Program {
                 continue;
             };
             debug_assert_eq!(binding.group, bindings::GROUP, "the preamble has one group");
-            if variable.space == AddressSpace::Uniform {
+            if binding.binding == bindings::UNIFORMS {
                 self.uniforms = Some(uniform_block(&self.module, handle, variable));
             }
             for (channel, usage) in self.channels.iter_mut().enumerate() {
@@ -174,7 +174,9 @@ fn functions(module: &Module) -> impl Iterator<Item = &Function> {
 
 /// Runs naga's validator with the capabilities that every device here is asked for.
 fn validate(module: &Module) -> Result<ModuleInfo, String> {
-    Validator::new(ValidationFlags::all(), Capabilities::default())
+    // Halves in 32 bits are what `packHalf2x16` makes; every device has them.
+    let capabilities = Capabilities::default() | Capabilities::SHADER_FLOAT16_IN_FLOAT32;
+    Validator::new(ValidationFlags::all(), capabilities)
         .validate(module)
         .map_err(|error| {
             let mut message = error.as_inner().to_string();
