@@ -31,9 +31,13 @@ impl<'t, 'a> Places<'t, 'a> {
         }
     }
 
-    /// Points a diagnostic at some tokens.
+    /// Points a diagnostic at some tokens, with a note if a macro has brought them.
     pub fn point(&self, diagnostic: Diagnostic, extent: Extent) -> Diagnostic {
-        diagnostic.at(self.span(extent))
+        let diagnostic = diagnostic.at(self.span(extent));
+        match self.token(extent.first).and_then(Token::origin) {
+            Some(origin) => diagnostic.note(origin, "a macro brings it from here"),
+            None => diagnostic,
+        }
     }
 
     /// What the token is.

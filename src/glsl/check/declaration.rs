@@ -12,6 +12,7 @@ use crate::glsl::syntax::ast::{
     Declaration, Declarator, Extent, QualifiedType, Qualifier, QualifierKind, TokenIndex,
 };
 use crate::glsl::types::{Base, Scalar, Type};
+use crate::source::Diagnostic;
 
 impl Checker<'_> {
     pub(super) fn global_declaration(&mut self, declaration: &Declaration) {
@@ -247,6 +248,12 @@ impl Checker<'_> {
         if is_owned && !self.check_size(ty, extent) {
             return None;
         }
+        if qualifiers.storage == Storage::In && ty.is_array() && matches!(ty.base, Base::Struct(_))
+        {
+            let message = "an input cannot be an array of structures";
+            self.error("qualifier", message, extent);
+            return None;
+        }
         match qualifiers.storage {
             Storage::Const => self.declare_constant(ty, init, declarator),
             Storage::Plain if self.is_global() => self.declare_private(ty, init, declarator, block),
@@ -396,8 +403,13 @@ impl Checker<'_> {
 
     pub(super) fn redeclared(&mut self, name: Name, at: Extent) {
         let message = format!("`{}` is already declared in this scope", self.text(name));
-        let diagnostic = crate::source::Diagnostic::error("redeclared", message);
-        let diagnostic = self.places.point(diagnostic, at);
+        let mut diagnostic = self
+            .places
+            .point(Diagnostic::error("redeclared", message), at);
+        let first = self.scopes.declared_at(name);
+        if let Some(span) = first.and_then(|first| self.places.span(Extent::of(first))) {
+            diagnostic = diagnostic.note(span, "it is declared here first");
+        }
         self.diagnostics.push(diagnostic);
     }
 

@@ -6,7 +6,7 @@ use crate::glsl::builtins::constants;
 use crate::glsl::hir::{self, ExprKind, GlobalKind, Swizzle, Value};
 use crate::glsl::names::Name;
 use crate::glsl::syntax::ast::{self, Callee, Extent};
-use crate::glsl::types::{Base, Type};
+use crate::glsl::types::{Base, Field, Scalar, Struct, Type};
 
 use super::scope::Symbol;
 
@@ -108,6 +108,9 @@ impl Checker<'_> {
         if let Some(value) = constants::constant(text) {
             return Some(self.constant(Type::INT, &[Value::Int(value)], extent));
         }
+        if text == "gl_DepthRange" {
+            return Some(self.depth_range(extent));
+        }
         let Some((ty, kind)) = constants::Variable::find(text).map(|found| (found.ty, found.kind))
         else {
             let message = format!("`{text}` is not declared");
@@ -138,6 +141,32 @@ impl Checker<'_> {
             }),
         };
         Some(self.add(ExprKind::Global(id), ty, extent, LEAF))
+    }
+
+    /// `gl_DepthRange`, which no host here ever sets, §7.4.
+    fn depth_range(&mut self, extent: Extent) -> Typed {
+        let (name, members) = constants::DEPTH_RANGE;
+        let name = self.hir.names.intern(name);
+        let known = self
+            .hir
+            .structs
+            .iter()
+            .find(|(_, found)| found.name == Some(name));
+        let id = match known {
+            Some((id, _)) => id,
+            None => {
+                let fields = members.map(|(member, _)| Field {
+                    name: self.hir.names.intern(member),
+                    ty: Type::FLOAT,
+                });
+                self.hir.structs.add(Struct {
+                    name: Some(name),
+                    fields: fields.into(),
+                })
+            }
+        };
+        let values = members.map(|(_, value)| Value::Float(value));
+        self.constant(Type::of(Base::Struct(id)), &values, extent)
     }
 
     fn field(&mut self, base: Typed, index: u32, extent: Extent) -> Typed {
@@ -288,9 +317,7 @@ impl Checker<'_> {
         };
         let ty = match (base.ty.array, base.ty.base) {
             (None, Base::Vector(scalar, _)) => Type::vector(scalar, 1),
-            (None, Base::Matrix { rows, .. }) => {
-                Type::vector(crate::glsl::types::Scalar::Float, rows)
-            }
+            (None, Base::Matrix { rows, .. }) => Type::vector(Scalar::Float, rows),
             _ => base.ty.element(),
         };
         if index.ty != Type::INT && index.ty != Type::UINT {

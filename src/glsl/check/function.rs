@@ -382,9 +382,8 @@ impl Checker<'_> {
                     state[function] = State::Done;
                     stack.pop();
                     let deepest = callees[function].iter().map(|&callee| depth[callee]).max();
-                    // As the limit is counted: a function that calls none adds nothing.
                     depth[function] = deepest.map_or(1, |deepest| deepest + 1);
-                    if depth[function] == MAX_CALL_DEPTH + 2 {
+                    if depth[function] == MAX_CALL_DEPTH + 1 {
                         let at = Extent::of(self.signatures[function].at);
                         let message = format!("calls go more than {MAX_CALL_DEPTH} deep");
                         self.refused_by_webgl("webgl-limit", message, at, "join some functions");

@@ -30,7 +30,7 @@ use super::fold;
 use super::hir::{self, Constant, ExprKind, Hir, Value};
 use super::names::Name;
 use super::places::Places;
-use super::syntax::ast::{self, Ast, Extent, TokenIndex};
+use super::syntax::ast::{self, Ast, Extent};
 use super::types::{Base, Struct, Type, spell};
 use crate::source::Diagnostic;
 use flow::Flow;
@@ -352,11 +352,6 @@ fn any_leaf(structs: &Arena<Struct>, ty: Type, test: &impl Fn(Type) -> bool) -> 
         }
         _ => test(ty),
     }
-}
-
-/// The tokens from one place to another.
-fn between(first: TokenIndex, last: TokenIndex) -> Extent {
-    Extent { first, last }
 }
 
 /// An empty pool of operands.

@@ -5,7 +5,7 @@ use crate::glsl::hir::GlobalKind;
 use crate::glsl::syntax::ast::Extent;
 use crate::glsl::types::{Base, Type};
 
-/// The largest variable in bytes, one byte more than allowed: components count four each.
+/// A variable must have fewer bytes than this; components count four each.
 const MAX_VARIABLE: u64 = 64 << 10;
 
 /// All variables together.
@@ -41,9 +41,9 @@ impl Checker<'_> {
             self.error("too-large", message, at);
             return false;
         }
-        if bytes > MAX_VARIABLE {
+        if bytes >= MAX_VARIABLE {
             let message = format!(
-                "a `{}` has {bytes} bytes, {MAX_VARIABLE} are allowed",
+                "a `{}` has {bytes} bytes, fewer than {MAX_VARIABLE} are allowed",
                 self.spell(ty)
             );
             self.refused_by_webgl(

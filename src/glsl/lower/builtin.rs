@@ -138,7 +138,7 @@ impl Builder<'_, '_> {
             B::Min => M::Min,
             B::Max => M::Max,
             B::Clamp => M::Clamp,
-            B::Mix => M::Mix,
+            B::Mix => return self.mix(values),
             B::Step => M::Step,
             _ => return self.transcendental(builtin, values, ty),
         };
@@ -157,6 +157,13 @@ impl Builder<'_, '_> {
         self.product(value, factor)
     }
 
+    /// Spelled out as compilers of GLSL do it, with one product.
+    fn mix(&mut self, values: &[H]) -> H {
+        let way = self.difference(values[1], values[0]);
+        let part = self.product(values[2], way);
+        self.sum(values[0], part)
+    }
+
     /// Spelled out, for edges in falling order work on all machines then.
     fn smooth_step(&mut self, values: &[H], ty: Type) -> H {
         let [low, high, x] = [values[0], values[1], values[2]];
@@ -165,11 +172,11 @@ impl Builder<'_, '_> {
         let t = self.quotient(above, width);
         let [zero, one] = [0.0, 1.0].map(|value| self.constant_of(value, ty));
         let t = self.math(M::Clamp, &[t, zero, one]);
-        let square = self.product(t, t);
         let [two, three] = [2.0, 3.0].map(|value| self.constant_of(value, ty));
         let twice = self.product(two, t);
         let rest = self.difference(three, twice);
-        self.product(square, rest)
+        let once = self.product(t, rest);
+        self.product(t, once)
     }
 
     /// The functions that drivers have for 32 bits only.
@@ -212,42 +219,52 @@ impl Builder<'_, '_> {
         let is_scalar = ty.is_scalar();
         match builtin {
             B::Length if is_scalar => self.math(M::Abs, values),
-            B::Length => self.math(M::Length, values),
+            B::Length => self.length(values[0], ty),
             B::Distance if is_scalar => {
                 let difference = self.difference(values[0], values[1]);
                 self.math(M::Abs, &[difference])
             }
-            B::Distance => self.math(M::Distance, values),
+            B::Distance => {
+                let difference = self.difference(values[0], values[1]);
+                self.length(difference, ty)
+            }
             B::Dot => self.dot_of(values[0], values[1], ty),
             B::Cross => self.math(M::Cross, values),
             B::Normalize if is_scalar => self.math(M::Sign, values),
-            B::Normalize => self.math(M::Normalize, values),
-            B::FaceForward if is_scalar => {
-                let dot = self.product(values[2], values[1]);
+            B::Normalize => {
+                let square = self.dot_of(values[0], values[0], ty);
+                let factor = self.math(M::InverseSqrt, &[square]);
+                self.product(values[0], factor)
+            }
+            B::FaceForward => {
+                let dot = self.dot_of(values[2], values[1], ty);
                 let zero = self.float(0.0);
                 let condition = self.binary(BinaryOperator::Less, dot, zero);
                 let turned = self.negate(values[0]);
                 self.select(condition, values[0], turned)
             }
-            B::FaceForward => self.math(M::FaceForward, values),
-            B::Reflect if is_scalar => {
-                let dot = self.product(values[1], values[0]);
+            B::Reflect => {
+                let dot = self.dot_of(values[1], values[0], ty);
                 let two = self.float(2.0);
                 let twice = self.product(two, dot);
                 let along = self.product(twice, values[1]);
                 self.difference(values[0], along)
             }
-            B::Reflect => self.math(M::Reflect, values),
             B::Refract => self.refract(values, ty),
             _ => unreachable!("it is not geometric"),
         }
     }
 
+    /// Spelled out as compilers of GLSL do it, as `normalize` is: drivers round SPIR-V's otherwise.
+    fn length(&mut self, vector: H, ty: Type) -> H {
+        let square = self.dot_of(vector, vector, ty);
+        self.math(M::Sqrt, &[square])
+    }
+
     fn dot_of(&mut self, left: H, right: H, ty: Type) -> H {
-        if ty.is_scalar() {
-            self.product(left, right)
-        } else {
-            self.dot(left, right)
+        match ty.vector_size() {
+            Some(1) | None => self.product(left, right),
+            Some(size) => self.dot(left, right, size),
         }
     }
 

@@ -180,8 +180,15 @@ impl Builder<'_, '_> {
         })
     }
 
-    pub(super) fn dot(&mut self, left: H, right: H) -> H {
-        self.math(MathFunction::Dot, &[left, right])
+    /// A dot product. The components stand in reverse, for so compilers of GLSL add them up: drivers
+    /// begin with the first of SPIR-V's, which noise made of large numbers shows.
+    pub(super) fn dot(&mut self, left: H, right: H, size: u8) -> H {
+        let operands = [left, right].map(|vector| match size {
+            2 => vector,
+            3 => self.swizzle(vector, &[2, 1, 0]),
+            _ => self.swizzle(vector, &[3, 2, 1, 0]),
+        });
+        self.math(MathFunction::Dot, &operands)
     }
 
     /// Converts to so many bytes, or takes the bits as they are.

@@ -70,11 +70,12 @@ impl Builder<'_, '_> {
             }
             ExprKind::Compound(op, place, operand) => {
                 let place = self.place(place);
+                // The place is read last: so do all compilers of GLSL, and golfed code counts on it.
+                let right = self.typed(operand);
                 let left = Typed {
                     value: self.load_place(place),
                     ty: place.ty,
                 };
-                let right = self.typed(operand);
                 let value = self.operate(op, left, right, extent);
                 self.store_place(place, value);
                 value

@@ -10,6 +10,9 @@ impl Builder<'_, '_> {
     /// Arithmetic in which one operand at least is a matrix.
     pub(super) fn matrix_arithmetic(&mut self, op: BinaryOperator, left: Typed, right: Typed) -> H {
         let both = left.ty.is_matrix() && right.ty.is_matrix();
+        if op == BinaryOperator::Multiply && !left.ty.is_scalar() && !right.ty.is_scalar() {
+            return self.matrix_product(left, right);
+        }
         let direct = match op {
             BinaryOperator::Multiply => true,
             BinaryOperator::Add | BinaryOperator::Subtract => both,
@@ -35,6 +38,49 @@ impl Builder<'_, '_> {
         let columns = columns.map(|(left, right)| self.binary(op, left, right));
         let columns = columns.collect();
         self.compose(ty, columns)
+    }
+
+    /// A product of linear algebra, spelled out in the order in which compilers of GLSL do it: drivers
+    /// add the terms of SPIR-V's in another, which noise made of large numbers shows.
+    fn matrix_product(&mut self, left: Typed, right: Typed) -> H {
+        match (left.ty.base, right.ty.base) {
+            (_, Base::Vector(_, size)) => {
+                let columns = self.components(left.value, size);
+                self.combine(&columns, right.value)
+            }
+            (Base::Vector(scalar, _), _) => {
+                let (columns, rows) = sides(right.ty);
+                let columns = self.components(right.value, columns);
+                let dots = columns
+                    .into_iter()
+                    .map(|column| self.dot(left.value, column, rows));
+                let dots: Vec<H> = dots.collect();
+                self.compose(Type::vector(scalar, dots.len() as u8), dots)
+            }
+            _ => {
+                let (inner, rows) = sides(left.ty);
+                let (columns, _) = sides(right.ty);
+                let own = self.components(left.value, inner);
+                let others = self.components(right.value, columns);
+                let products = others.into_iter().map(|column| self.combine(&own, column));
+                let products = products.collect();
+                self.compose(Type::matrix(columns, rows), products)
+            }
+        }
+    }
+
+    /// Vectors, each times its component of `factors`, in a sum.
+    fn combine(&mut self, vectors: &[H], factors: H) -> H {
+        let mut sum = None;
+        for (i, &vector) in vectors.iter().enumerate() {
+            let factor = self.part(factors, i as u32);
+            let term = self.product(vector, factor);
+            sum = Some(match sum {
+                Some(sum) => self.sum(sum, term),
+                None => term,
+            });
+        }
+        sum.expect("a matrix has columns")
     }
 
     /// `matrixCompMult`
@@ -88,7 +134,7 @@ impl Builder<'_, '_> {
 
     fn inverse3(&mut self, a: H, b: H, c: H) -> H {
         let rows = [(b, c), (c, a), (a, b)].map(|(u, v)| self.cross(u, v));
-        let determinant = self.dot(a, rows[0]);
+        let determinant = self.dot(a, rows[0], 3);
         let factor = self.reciprocal(determinant);
         let rows = rows.map(|row| self.product(row, factor));
         let rows = self.compose(Type::matrix(3, 3), rows.to_vec());
@@ -105,7 +151,7 @@ impl Builder<'_, '_> {
             let [p, q] = [(p, k), (q, l)].map(|(vector, factor)| self.product(vector, factor));
             self.difference(p, q)
         });
-        let [sv, tu] = [(s, v), (t, u)].map(|(p, q)| self.dot(p, q));
+        let [sv, tu] = [(s, v), (t, u)].map(|(p, q)| self.dot(p, q, 3));
         let determinant = self.sum(sv, tu);
         let factor = self.reciprocal(determinant);
         let [s, t, u, v] = [s, t, u, v].map(|vector| self.product(vector, factor));
@@ -125,7 +171,7 @@ impl Builder<'_, '_> {
             } else {
                 self.difference(cross, scaled)
             };
-            let end = self.dot(e, f);
+            let end = self.dot(e, f, 3);
             let end = if minus { self.negate(end) } else { end };
             rows.push(self.compose(Type::vector(Scalar::Float, 4), vec![row, end]));
         }

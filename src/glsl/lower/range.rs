@@ -9,7 +9,7 @@ use crate::glsl::hir::{
     BinaryOp, Direction, Expr, ExprKind, Local, Loop, Stmt, StmtKind, UnaryOp, Value,
 };
 use crate::glsl::prune;
-use crate::glsl::types::{Scalar, Type};
+use crate::glsl::types::{Base, Scalar, Type};
 
 /// The least and the greatest value.
 type Range = (i64, i64);
@@ -49,10 +49,12 @@ impl Builder<'_, '_> {
     fn range(&self, id: Id<Expr>, depth: u32) -> Option<Range> {
         let depth = depth.checked_sub(1)?;
         let Expr { kind, ty, .. } = self.source.exprs[id];
-        let scalar = match (ty.is_scalar(), ty.scalar()?) {
-            (true, scalar @ (Scalar::Int | Scalar::Uint)) => scalar,
-            _ => return None,
+        let Base::Scalar(scalar @ (Scalar::Int | Scalar::Uint)) = ty.base else {
+            return None;
         };
+        if ty.is_array() {
+            return None;
+        }
         let of = |id| self.range(id, depth);
         let (low, high) = match kind {
             ExprKind::Constant(constant) => match *self.context.hir.constants.get(constant) {
