@@ -114,7 +114,12 @@ fn only_the_canyon_among_the_scenes_binds_a_texture() {
         let layout = session.renderer.layouts().next().expect("one pass");
         let count = if name == "canyon" { 3 } else { 1 };
         assert_eq!(layout.entries.len(), count, "{name}");
-        assert!(session.warnings.diagnostics.is_empty(), "{name}");
+        // The seeds' code counts on `smoothstep` with reversed edges here and there.
+        let mut warnings = session.warnings.diagnostics.iter();
+        assert!(
+            warnings.all(|found| found.code == "reversed-smoothstep"),
+            "{name}"
+        );
     }
 }
 

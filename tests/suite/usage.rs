@@ -46,11 +46,14 @@ fn check_finds_nothing_wrong_with_the_scenes() {
     for (name, folder) in scene_folders() {
         let outcome = vitrine("check").arg(&folder).run();
         outcome.exits(0).says(": fine");
-        assert_eq!(
-            outcome.stderr.lines().count(),
-            1,
-            "{name}: {}",
-            outcome.stderr
+        // The seeds' code counts on `smoothstep` with reversed edges here and there.
+        let mut others = outcome
+            .stderr
+            .lines()
+            .filter(|line| line.starts_with("warning"));
+        assert!(
+            others.all(|line| line.contains("reversed-smoothstep")),
+            "{name}"
         );
         let outcome = vitrine("check --format json").arg(&folder).run();
         let line: Value = serde_json::from_str(&outcome.exits(0).text()).expect("one object");

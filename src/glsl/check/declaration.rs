@@ -9,7 +9,8 @@ use crate::glsl::arena::Id;
 use crate::glsl::hir::{self, ExprKind, GlobalKind, StmtKind, Value};
 use crate::glsl::names::Name;
 use crate::glsl::syntax::ast::{
-    Declaration, Declarator, Extent, QualifiedType, Qualifier, QualifierKind, TokenIndex,
+    Declaration, Declarator, Extent, LayoutItem, QualifiedType, Qualifier, QualifierKind,
+    TokenIndex,
 };
 use crate::glsl::types::{Base, Scalar, Type};
 use crate::source::Diagnostic;
@@ -62,16 +63,7 @@ impl Checker<'_> {
                 let message = "only `layout(…) uniform;` can stand without a variable";
                 self.error("qualifier", message, at);
             }
-            for item in &found.layout {
-                let name = self.text(item.name).to_owned();
-                if !matches!(
-                    &*name,
-                    "shared" | "packed" | "std140" | "row_major" | "column_major"
-                ) {
-                    let message = format!("the layout `{name}` does not exist for uniforms");
-                    self.error("qualifier", message, Extent::of(item.at));
-                }
-            }
+            self.check_block_layout(&found.layout);
             return;
         }
         let is_invariant = matches!(
@@ -91,6 +83,19 @@ impl Checker<'_> {
             };
             if !is_invariant || !self.is_global() || !is_output {
                 self.error("qualifier", "only outputs can be `invariant`", at);
+            }
+        }
+    }
+
+    /// Reports layouts that uniform blocks do not have.
+    pub(super) fn check_block_layout(&mut self, layout: &[LayoutItem]) {
+        for item in layout {
+            let name = self.text(item.name).to_owned();
+            let known = ["shared", "packed", "std140", "row_major", "column_major"];
+            if !known.contains(&&*name) || item.value.is_some() {
+                let message = format!("the layout `{name}` does not exist for uniforms");
+                let hint = "there are `std140`, `shared`, `packed`, `row_major` and `column_major`";
+                self.error_with_hint("qualifier", message, Extent::of(item.at), hint);
             }
         }
     }

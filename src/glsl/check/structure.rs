@@ -132,6 +132,7 @@ impl Checker<'_> {
             );
             return;
         }
+        self.check_block_layout(&found.layout);
         let Some(fields) = self.fields(members) else {
             return;
         };

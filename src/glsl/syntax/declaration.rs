@@ -1,12 +1,13 @@
 //! Declarations, §4 and §6.1.
 
 use super::ast::{
-    ArraySize, Declaration, Declarator, Header, Item, LayoutItem, Members, Parameter, Precision,
-    QualifiedType, Qualifier, QualifierKind, StructDefinition, TokenIndex, TypeKind, TypeSpecifier,
+    Declaration, Declarator, Header, Item, Parameter, QualifiedType, Qualifier, QualifierKind,
+    TokenIndex, TypeKind,
 };
 use super::lexeme::{Lexeme, Symbol};
 use super::parser::{Failed, Parse, Parser};
 use super::words::Word;
+use crate::glsl::names::Name;
 use crate::glsl::types::Base;
 
 /// A declaration, or what precedes the body of a function.
@@ -17,7 +18,7 @@ pub(super) enum Declared {
     Function(Header),
 }
 
-const LIST_OR_END: &str = "`,` or `;`";
+pub(super) const LIST_OR_END: &str = "`,` or `;`";
 
 impl Parser<'_> {
     /// Something at global scope.
@@ -58,11 +59,17 @@ impl Parser<'_> {
             let hint = "a function's type stands before its name, `void` if it returns nothing";
             return self.unexpected_but("a type", Some(hint));
         }
+        let is_statement = match (self.peek(), self.peek_at(1)) {
+            (Lexeme::Word(_), _) => true,
+            (Lexeme::Name(_), Lexeme::Symbol(next)) => next.follows_place(),
+            _ => false,
+        };
         let hint = match self.peek() {
-            Lexeme::Name(_) | Lexeme::Word(_) => {
+            _ if is_statement => {
                 self.braces_are_off = true;
                 Some("statements stand in functions: is there a `}` too many above?")
             }
+            Lexeme::Name(_) => Some("is it a type that is spelled differently?"),
             _ => None,
         };
         self.unexpected_but("a declaration", hint)
@@ -140,10 +147,16 @@ impl Parser<'_> {
             Lexeme::Name(_) => declarators.push(self.declarator()?),
             Lexeme::Symbol(Symbol::Comma | Symbol::Semicolon) => {}
             _ if matches!(ty.ty.kind, TypeKind::Struct(_)) => {}
+            _ if self.is_keyword_as_name() => declarators.push(self.declarator()?),
+            _ if matches!(ty.ty.kind, TypeKind::Basic(_)) && self.plain_qualifier().is_some() => {
+                self.unexpected_but("a name", Some("qualifiers stand before the type"));
+                self.qualifiers()?;
+                declarators.push(self.declarator()?);
+            }
             _ => return Err(self.no_name(&ty)),
         }
         while self.accept(Symbol::Comma) {
-            if let Lexeme::Type(_) = self.peek() {
+            if matches!(self.peek(), Lexeme::Type(_)) && !self.is_keyword_as_name() {
                 let hint = "give the type once, or write `;` instead of the `,`";
                 return Err(self.unexpected_but("a name", Some(hint)));
             }
@@ -154,7 +167,7 @@ impl Parser<'_> {
     }
 
     /// Reports what stands where a declared name should.
-    fn no_name(&mut self, ty: &QualifiedType) -> Failed {
+    pub fn no_name(&mut self, ty: &QualifiedType) -> Failed {
         let named = matches!(ty.ty.kind, TypeKind::Named(_)) && ty.ty.sizes.is_empty();
         let hint = match self.peek() {
             Lexeme::Type(_) | Lexeme::Word(_) if named => {
@@ -165,10 +178,6 @@ impl Parser<'_> {
                 return self.wrong_about(at, message, "leave it out");
             }
             Lexeme::Symbol(Symbol::Assign) if named => Some("is its type missing before it?"),
-            Lexeme::Word(word) if word.begins_declaration() => {
-                Some("qualifiers stand before the type, and no keyword can be a name")
-            }
-            Lexeme::Word(_) | Lexeme::Type(_) | Lexeme::Bool(_) => Some("no keyword can be a name"),
             Lexeme::Symbol(Symbol::Star | Symbol::And) => Some("GLSL has no pointers"),
             _ => None,
         };
@@ -185,8 +194,8 @@ impl Parser<'_> {
     }
 
     /// A name, with sizes if it has them.
-    fn plain_declarator(&mut self) -> Parse<Declarator> {
-        let (name, at) = self.name("a name")?;
+    pub fn plain_declarator(&mut self) -> Parse<Declarator> {
+        let (name, at) = self.declared_name()?;
         let mut sizes = Vec::new();
         self.array_sizes(&mut sizes)?;
         Ok(Declarator {
@@ -197,24 +206,31 @@ impl Parser<'_> {
         })
     }
 
-    /// Any number of `[3]` and `[]`.
-    pub fn array_sizes(&mut self, sizes: &mut Vec<ArraySize>) -> Parse<()> {
-        while self.is(Symbol::LeftBracket) {
-            let at = self.advance();
-            let size = match self.is(Symbol::RightBracket) {
-                true => None,
-                false => Some(self.conditional()?),
-            };
-            self.close(at, Symbol::RightBracket, "`]`")?;
-            sizes.push(ArraySize { size, at });
+    /// The name of something new. A keyword is refused, but taken for one.
+    fn declared_name(&mut self) -> Parse<(Name, TokenIndex)> {
+        match self.is_keyword_as_name() {
+            true => Ok(self.keyword_as_name()),
+            false => self.name("a name"),
         }
-        Ok(())
+    }
+
+    /// Whether a keyword is at hand, and what follows it would follow a declared name.
+    pub fn is_keyword_as_name(&self) -> bool {
+        use Symbol::{Assign, Comma, LeftBracket, RightParenthesis, Semicolon};
+        matches!(
+            (self.peek(), self.peek_at(1)),
+            (
+                Lexeme::Word(_) | Lexeme::Type(_) | Lexeme::Bool(_),
+                Lexeme::Symbol(Assign | Comma | LeftBracket | RightParenthesis | Semicolon)
+            )
+        )
     }
 
     fn function(&mut self, result: QualifiedType) -> Parse<Declared> {
         let (name, at) = self.name("a name")?;
         let open = self.advance();
-        let parameters = self.parameters(open)?;
+        let parameters = self.in_header(open, true, "`,` or `)`", Self::parameters);
+        let parameters = parameters.unwrap_or_default();
         let header = Header {
             result,
             name,
@@ -222,16 +238,18 @@ impl Parser<'_> {
             parameters,
             end: self.here(),
         };
-        if self.is(Symbol::LeftBrace) {
-            return Ok(Declared::Function(header));
+        match self.peek() {
+            Lexeme::Symbol(Symbol::LeftBrace) => return Ok(Declared::Function(header)),
+            Lexeme::Word(word) if word.begins_statement() => return Err(self.unexpected("`{`")),
+            _ => self.semicolon("`{` or `;`")?,
         }
-        self.semicolon("`{` or `;`")?;
         Ok(Declared::Declaration(Declaration::Prototype(header)))
     }
 
-    fn parameters(&mut self, open: TokenIndex) -> Parse<Vec<Parameter>> {
+    /// What stands between a function's parentheses.
+    fn parameters(&mut self) -> Parse<Vec<Parameter>> {
         let mut parameters = Vec::new();
-        if self.accept(Symbol::RightParenthesis) {
+        if self.is(Symbol::RightParenthesis) {
             return Ok(parameters);
         }
         loop {
@@ -244,7 +262,6 @@ impl Parser<'_> {
             let hint = "parameters have no default values";
             return Err(self.unexpected_but("`,` or `)`", Some(hint)));
         }
-        self.close(open, Symbol::RightParenthesis, "`,` or `)`")?;
         match &*parameters {
             [lone]
                 if lone.name.is_none()
@@ -257,6 +274,14 @@ impl Parser<'_> {
     }
 
     fn parameter(&mut self) -> Parse<Parameter> {
+        let is_value = matches!(
+            self.peek(),
+            Lexeme::Int(_) | Lexeme::Float(_) | Lexeme::Bool(_)
+        );
+        if self.blocks > 0 && is_value {
+            let hint = "a variable gets its value with a `=`";
+            return Err(self.unexpected_but("a type", Some(hint)));
+        }
         let ty = self.qualified_type()?;
         let mut parameter = Parameter {
             at: ty.ty.extent.first,
@@ -264,9 +289,10 @@ impl Parser<'_> {
             name: None,
             sizes: Vec::new(),
         };
-        if let Lexeme::Name(name) = self.peek() {
+        if matches!(self.peek(), Lexeme::Name(_)) || self.is_keyword_as_name() {
+            let (name, at) = self.declared_name()?;
             parameter.name = Some(name);
-            parameter.at = self.advance();
+            parameter.at = at;
             self.array_sizes(&mut parameter.sizes)?;
         }
         Ok(parameter)
@@ -289,156 +315,50 @@ impl Parser<'_> {
         })
     }
 
-    /// The members of a structure or block, from their `{`.
-    fn members(&mut self) -> Parse<Vec<Members>> {
-        self.enter()?;
-        self.advance();
-        let mut members = Vec::new();
-        while !self.is(Symbol::RightBrace) {
-            let ty = self.qualified_type()?;
-            let mut declarators = Vec::new();
-            loop {
-                match self.peek() {
-                    Lexeme::Name(_) => declarators.push(self.plain_declarator()?),
-                    _ => return Err(self.no_name(&ty)),
-                }
-                if !self.accept(Symbol::Comma) {
-                    break;
-                }
-            }
-            if self.is(Symbol::Assign) {
-                let hint = "members get their values from a constructor";
-                return Err(self.unexpected_but(LIST_OR_END, Some(hint)));
-            }
-            self.semicolon(LIST_OR_END)?;
-            members.push(Members { ty, declarators });
-        }
-        if members.is_empty() {
-            return Err(self.unexpected("a member"));
-        }
-        self.advance();
-        self.leave();
-        Ok(members)
-    }
-
-    /// A type with what precedes it.
-    pub fn qualified_type(&mut self) -> Parse<QualifiedType> {
-        let qualifiers = self.qualifiers()?;
-        let ty = self.type_specifier()?;
-        Ok(QualifiedType { qualifiers, ty })
-    }
-
-    /// A type by its name, or as it is defined here, with sizes.
-    pub fn type_specifier(&mut self) -> Parse<TypeSpecifier> {
-        let first = self.here();
-        let kind = match self.peek() {
-            Lexeme::Type(base) => {
-                self.advance();
-                TypeKind::Basic(base)
-            }
-            Lexeme::Name(name) => {
-                self.advance();
-                TypeKind::Named(name)
-            }
-            Lexeme::Word(Word::Struct) => {
-                self.advance();
-                TypeKind::Struct(Box::new(self.structure(first)?))
-            }
-            _ => return Err(self.unexpected("a type")),
+    /// Whether the names at hand begin a declaration rather than an expression: two names in a row,
+    /// perhaps with `[…]` between, or a type without the `(` of a constructor. Looks at no token
+    /// twice, because nothing between brackets asks again.
+    pub fn starts_declaration(&self) -> bool {
+        let named: Option<Name> = match self.peek() {
+            Lexeme::Word(word) => return word.begins_declaration(),
+            Lexeme::Type(_) => None,
+            Lexeme::Name(name) => Some(name),
+            _ => return false,
         };
-        let mut sizes = Vec::new();
-        self.array_sizes(&mut sizes)?;
-        Ok(TypeSpecifier {
-            kind,
-            sizes,
-            extent: self.extent_from(first),
-        })
-    }
-
-    /// A structure behind the word `struct`, which stands at `at`.
-    fn structure(&mut self, at: TokenIndex) -> Parse<StructDefinition> {
-        let (name, at) = match self.peek() {
-            Lexeme::Name(name) => (Some(name), self.advance()),
-            _ => (None, at),
-        };
-        if !self.is(Symbol::LeftBrace) {
-            let hint = match name {
-                Some(_) => "a structure's name alone is its type: `S s;`",
-                None => "a structure is defined like `struct S { float x; };`",
+        let mut ahead = 1;
+        while self.peek_at(ahead) == Lexeme::Symbol(Symbol::LeftBracket) {
+            let Some(length) = self.bracketed(ahead) else {
+                return false;
             };
-            return Err(self.unexpected_but("`{`", Some(hint)));
+            ahead += length;
         }
-        let members = self.members()?;
-        Ok(StructDefinition { name, at, members })
-    }
-
-    fn qualifiers(&mut self) -> Parse<Vec<Qualifier>> {
-        let mut qualifiers = Vec::new();
-        loop {
-            let at = self.here();
-            let kind = match self.plain_qualifier() {
-                Some(kind) => {
-                    self.advance();
-                    kind
-                }
-                None if self.accept_word(Word::Layout) => self.layout()?,
-                None => return Ok(qualifiers),
-            };
-            qualifiers.push(Qualifier { kind, at });
+        match (named, self.peek_at(ahead)) {
+            (None, behind) => behind != Lexeme::Symbol(Symbol::LeftParenthesis),
+            (Some(_), behind) => match behind {
+                Lexeme::Name(_) => true,
+                // An unknown qualifier, most likely.
+                Lexeme::Type(_) => ahead == 1,
+                Lexeme::Word(word) => ahead == 1 && word.begins_declaration(),
+                _ => false,
+            },
         }
     }
 
-    /// The qualifier of one word that is at hand.
-    fn plain_qualifier(&self) -> Option<QualifierKind> {
-        let Lexeme::Word(word) = self.peek() else {
-            return None;
-        };
-        Some(match word {
-            Word::Const => QualifierKind::Const,
-            Word::In => QualifierKind::In,
-            Word::Out => QualifierKind::Out,
-            Word::InOut => QualifierKind::InOut,
-            Word::Uniform => QualifierKind::Uniform,
-            Word::Flat => QualifierKind::Flat,
-            Word::Smooth => QualifierKind::Smooth,
-            Word::Centroid => QualifierKind::Centroid,
-            Word::Invariant => QualifierKind::Invariant,
-            Word::Low => QualifierKind::Precision(Precision::Low),
-            Word::Medium => QualifierKind::Precision(Precision::Medium),
-            Word::High => QualifierKind::Precision(Precision::High),
-            _ => return None,
-        })
-    }
-
-    /// What stands behind the word `layout`.
-    fn layout(&mut self) -> Parse<QualifierKind> {
-        let open = self.here();
-        if !self.accept(Symbol::LeftParenthesis) {
-            return Err(self.unexpected("`(` behind `layout`"));
-        }
-        let mut items = Vec::new();
-        loop {
-            let (name, at) = self.name("a name")?;
-            let value = match self.accept(Symbol::Assign) {
-                true => Some(self.layout_value()?),
-                false => None,
-            };
-            items.push(LayoutItem { name, at, value });
-            if !self.accept(Symbol::Comma) {
-                break;
+    /// The number of tokens from a `[` to its `]`, both counted.
+    fn bracketed(&self, ahead: usize) -> Option<usize> {
+        let mut depth = 0_usize;
+        for length in 0.. {
+            match self.peek_at(ahead + length) {
+                Lexeme::Symbol(Symbol::LeftBracket | Symbol::LeftParenthesis) => depth += 1,
+                Lexeme::Symbol(Symbol::RightBracket | Symbol::RightParenthesis) => depth -= 1,
+                Lexeme::Symbol(Symbol::Semicolon | Symbol::LeftBrace | Symbol::RightBrace)
+                | Lexeme::End => return None,
+                _ => {}
+            }
+            if depth == 0 {
+                return Some(length + 1);
             }
         }
-        self.close(open, Symbol::RightParenthesis, "`,` or `)`")?;
-        Ok(QualifierKind::Layout(items))
-    }
-
-    fn layout_value(&mut self) -> Parse<u32> {
-        let value = match self.peek() {
-            Lexeme::Int(value) => value as u32,
-            Lexeme::Uint(value) => value,
-            _ => return Err(self.unexpected("a whole number")),
-        };
-        self.advance();
-        Ok(value)
+        None
     }
 }

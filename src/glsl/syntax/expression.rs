@@ -6,7 +6,6 @@ use super::ast::{
 use super::lexeme::{Lexeme, Symbol};
 use super::parser::{Parse, Parser};
 use crate::glsl::arena::Id;
-use crate::glsl::names::Name;
 use crate::glsl::types::Base;
 
 /// An operator and its left operand. They wait for the right operand, which may hold operators that
@@ -218,9 +217,7 @@ impl Parser<'_> {
                 return Ok(expr);
             };
             expr = match symbol {
-                Symbol::LeftBracket
-                    if may_be_type && self.peek_at(1) == Lexeme::Symbol(Symbol::RightBracket) =>
-                {
+                Symbol::LeftBracket if may_be_type && self.is_unsized_constructor() => {
                     may_be_type = false;
                     self.array_of_named(expr)?
                 }
@@ -292,9 +289,7 @@ impl Parser<'_> {
                     (_, Lexeme::Symbol(Symbol::Star)) => {
                         Some("GLSL has no pointers, and `pow(x, y)` is its power")
                     }
-                    (Some(Lexeme::Symbol(Symbol::Comma)), _) => {
-                        Some("is there a `,` too many before it?")
-                    }
+                    (_, Lexeme::Symbol(Symbol::LeftBracket)) => Some("GLSL has no attributes"),
                     (_, Lexeme::Word(word)) if word.begins_declaration() => {
                         Some("qualifiers and structures stand in declarations only")
                     }
@@ -305,6 +300,16 @@ impl Parser<'_> {
         };
         self.advance();
         self.add(kind, first, first)
+    }
+
+    /// Whether `[](` or `[][` is at hand.
+    fn is_unsized_constructor(&self) -> bool {
+        use Symbol::{LeftBracket, LeftParenthesis, RightBracket};
+        self.peek_at(1) == Lexeme::Symbol(RightBracket)
+            && matches!(
+                self.peek_at(2),
+                Lexeme::Symbol(LeftParenthesis | LeftBracket)
+            )
     }
 
     /// A constructor's arguments, behind its type.
@@ -365,52 +370,5 @@ impl Parser<'_> {
         self.close(open, Symbol::RightParenthesis, "`,` or `)`")?;
         let arguments = self.arguments.drain(base..).collect();
         self.add(ExprKind::Call(callee, arguments), at, first)
-    }
-
-    /// Whether the names at hand begin a declaration rather than an expression: two names in a row,
-    /// perhaps with `[…]` between, or a type without the `(` of a constructor. Looks at no token
-    /// twice, because nothing between brackets asks again.
-    pub fn starts_declaration(&self) -> bool {
-        let named: Option<Name> = match self.peek() {
-            Lexeme::Word(word) => return word.begins_declaration(),
-            Lexeme::Type(_) => None,
-            Lexeme::Name(name) => Some(name),
-            _ => return false,
-        };
-        let mut ahead = 1;
-        while self.peek_at(ahead) == Lexeme::Symbol(Symbol::LeftBracket) {
-            let Some(length) = self.bracketed(ahead) else {
-                return false;
-            };
-            ahead += length;
-        }
-        match (named, self.peek_at(ahead)) {
-            (None, behind) => behind != Lexeme::Symbol(Symbol::LeftParenthesis),
-            (Some(_), behind) => match behind {
-                Lexeme::Name(_) => true,
-                // An unknown qualifier, most likely.
-                Lexeme::Type(_) => ahead == 1,
-                Lexeme::Word(word) => ahead == 1 && word.begins_declaration(),
-                _ => false,
-            },
-        }
-    }
-
-    /// The number of tokens from a `[` to its `]`, both counted.
-    fn bracketed(&self, ahead: usize) -> Option<usize> {
-        let mut depth = 0_usize;
-        for length in 0.. {
-            match self.peek_at(ahead + length) {
-                Lexeme::Symbol(Symbol::LeftBracket | Symbol::LeftParenthesis) => depth += 1,
-                Lexeme::Symbol(Symbol::RightBracket | Symbol::RightParenthesis) => depth -= 1,
-                Lexeme::Symbol(Symbol::Semicolon | Symbol::LeftBrace | Symbol::RightBrace)
-                | Lexeme::End => return None,
-                _ => {}
-            }
-            if depth == 0 {
-                return Some(length + 1);
-            }
-        }
-        None
     }
 }

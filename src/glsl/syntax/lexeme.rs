@@ -84,6 +84,31 @@ spelled! {
     }
 }
 
+impl Symbol {
+    /// Whether it may follow a variable's name at the beginning of a statement.
+    pub fn follows_place(self) -> bool {
+        use Symbol::*;
+        matches!(
+            self,
+            LeftParenthesis
+                | Dot
+                | Increment
+                | Decrement
+                | Assign
+                | PlusAssign
+                | MinusAssign
+                | StarAssign
+                | SlashAssign
+                | PercentAssign
+                | AndAssign
+                | OrAssign
+                | XorAssign
+                | ShiftLeftAssign
+                | ShiftRightAssign
+        )
+    }
+}
+
 /// A text's tokens, read once.
 #[derive(Debug)]
 pub(super) struct Lexemes {

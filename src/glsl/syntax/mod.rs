@@ -3,10 +3,13 @@
 
 pub mod ast;
 
+mod complaint;
 mod declaration;
 mod expression;
 mod lexeme;
 mod parser;
+mod recovery;
+mod specifier;
 mod statement;
 mod words;
 

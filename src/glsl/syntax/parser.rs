@@ -23,7 +23,7 @@ pub const MAX_STATEMENT_HEIGHT: usize = 3_000;
 const MAX_NESTING: usize = 6_000;
 
 /// More errors than this are no help.
-const MAX_ERRORS: usize = 20;
+pub(super) const MAX_ERRORS: usize = 20;
 
 /// An error was reported, and what was being parsed is no more.
 #[derive(Debug)]
@@ -34,22 +34,26 @@ pub(super) type Parse<T> = Result<T, Failed>;
 
 #[derive(Debug)]
 pub(super) struct Parser<'a> {
-    tokens: &'a [Token<'a>],
-    lexemes: Vec<Lexeme>,
-    reserved: Vec<(Name, TokenIndex)>,
-    at: usize,
+    pub tokens: &'a [Token<'a>],
+    pub lexemes: Vec<Lexeme>,
+    pub reserved: Vec<(Name, TokenIndex)>,
+    /// Reserved words that an error was about.
+    pub blamed: Vec<Name>,
+    pub at: usize,
     pub ast: Ast,
     expression_heights: Vec<u16>,
     statement_heights: Vec<u16>,
     /// How deep the expression at hand is nested.
-    nesting: usize,
+    pub nesting: usize,
     /// How deep the statement at hand is nested.
     pub blocks: usize,
     /// Whether a brace seems to be missing or too many, so that little else can be said of braces.
     pub braces_are_off: bool,
-    diagnostics: Vec<(usize, Diagnostic)>,
+    pub diagnostics: Vec<(usize, Diagnostic)>,
+    /// Keywords that were used as names.
+    pub misused: Vec<Lexeme>,
     /// Nothing is reported about tokens before this one: something was, already.
-    quiet_until: usize,
+    pub quiet_until: usize,
     /// Operators and their left operands that wait for the right one.
     pub pending: Vec<Pending>,
     /// Arguments of the calls at hand.
@@ -68,6 +72,7 @@ impl<'a> Parser<'a> {
             tokens,
             lexemes: read.list,
             reserved: read.reserved,
+            blamed: Vec::new(),
             at: 0,
             ast,
             expression_heights: Vec::new(),
@@ -76,6 +81,7 @@ impl<'a> Parser<'a> {
             blocks: 0,
             braces_are_off: false,
             diagnostics: Vec::new(),
+            misused: Vec::new(),
             quiet_until: 0,
             pending: Vec::new(),
             arguments: Vec::new(),
@@ -96,10 +102,29 @@ impl<'a> Parser<'a> {
         }
     }
 
+    /// Reads an item; `None` if there is nothing to keep of it.
+    fn item(&mut self) -> Parse<Option<Item>> {
+        match self.peek() {
+            Lexeme::Symbol(Symbol::Semicolon) => Ok(Some(Item::Empty(self.advance()))),
+            Lexeme::Symbol(Symbol::RightBrace) => {
+                let at = self.at;
+                if !self.braces_are_off {
+                    self.wrong(at, "there is one `}` too many", None);
+                    self.braces_are_off = true;
+                }
+                self.advance();
+                Ok(None)
+            }
+            _ => self.external_declaration().map(Some),
+        }
+    }
+
     /// The tree and the diagnostics.
     pub fn finish(mut self, strict: bool) -> Parsed {
-        let reserved = std::mem::take(&mut self.reserved);
-        for (name, at) in reserved {
+        for (name, at) in self.reserved {
+            if self.blamed.contains(&name) {
+                continue;
+            }
             let word = self.ast.names.text(name);
             let diagnostic = match strict {
                 true => Diagnostic::error("reserved-word", format!("`{word}` is a reserved word")),
@@ -214,11 +239,15 @@ impl Parser<'_> {
                 Ok(())
             }
             // What follows looks like something new, so that the `;` is all that is missing.
+            Lexeme::Name(_) if self.is_behind_cast() => {
+                let hint = "GLSL converts with `float(x)`, not with `(float)x`";
+                Err(self.unexpected_but(expected, Some(hint)))
+            }
             Lexeme::Name(_)
             | Lexeme::Type(_)
             | Lexeme::Word(_)
             | Lexeme::Symbol(Symbol::RightBrace)
-                if self.at > 0 && self.blamed_word().is_none() =>
+                if self.at > 0 =>
             {
                 let found = quoted(&self.tokens[self.at]);
                 let message = format!("a `;` is missing before {found}");
@@ -237,13 +266,30 @@ impl Parser<'_> {
             _ => Err(self.unexpected(expected)),
         }
     }
+
+    /// Whether a name in parentheses precedes the token at hand.
+    fn is_behind_cast(&self) -> bool {
+        use Symbol::{Assign, LeftParenthesis, RightParenthesis};
+        matches!(
+            self.lexemes[..self.at],
+            [
+                ..,
+                Lexeme::Symbol(Assign),
+                Lexeme::Symbol(LeftParenthesis),
+                Lexeme::Name(_),
+                Lexeme::Symbol(RightParenthesis)
+            ]
+        )
+    }
 }
 
 /// Building.
 impl Parser<'_> {
     /// What begins at a token and ends before the one at hand.
     pub fn extent_from(&self, first: TokenIndex) -> Extent {
-        let last = (self.here().saturating_sub(1)).max(first);
+        // Something that is missing at the end of the text is said to be the last token.
+        let first = first.min((self.tokens.len() as TokenIndex).saturating_sub(1));
+        let last = self.here().saturating_sub(1).max(first);
         Extent { first, last }
     }
 
@@ -266,12 +312,12 @@ impl Parser<'_> {
 
     /// Adds an expression in the place of one that is wrong.
     pub fn add_stand_in(&mut self) -> Id<Expr> {
-        let at = self.here();
+        let extent = self.extent_from(self.here());
         self.expression_heights.push(1);
         self.ast.exprs.add(Expr {
             kind: ExprKind::Bool(true),
-            at,
-            extent: Extent::of(at),
+            at: extent.first,
+            extent,
         })
     }
 
@@ -330,7 +376,7 @@ impl Parser<'_> {
     pub fn enter(&mut self) -> Parse<()> {
         self.nesting += 1;
         if self.nesting > MAX_NESTING {
-            let message = format!("an expression is nested more than {MAX_NESTING} deep");
+            let message = format!("this is nested more than {MAX_NESTING} deep");
             return Err(self.too_deep(self.here(), message, "assign parts of it to variables"));
         }
         Ok(())
@@ -339,261 +385,5 @@ impl Parser<'_> {
     /// Comes back from [`Parser::enter`]. After an error [`Parser::settle`] does it.
     pub fn leave(&mut self) {
         self.nesting -= 1;
-    }
-}
-
-/// What is wrong.
-impl Parser<'_> {
-    /// Reports a diagnostic about what was found at a token, unless it is a consequence of another.
-    pub fn report(&mut self, at: usize, diagnostic: Diagnostic) {
-        if at < self.quiet_until || self.lexemes[at] == Lexeme::Refused {
-            return;
-        }
-        self.quiet_until = at + 1;
-        self.diagnostics.push((at, diagnostic));
-        if self.diagnostics.len() >= MAX_ERRORS {
-            self.give_up();
-        }
-    }
-
-    /// Goes to the end of the text and reports no more.
-    pub fn give_up(&mut self) {
-        self.at = self.lexemes.len() - 1;
-        self.quiet_until = usize::MAX;
-    }
-
-    /// Reports that something else was expected at the token at hand.
-    pub fn unexpected(&mut self, expected: &str) -> Failed {
-        self.unexpected_but(expected, None)
-    }
-
-    /// Like [`Parser::unexpected`], with a hint.
-    pub fn unexpected_but(&mut self, expected: &str, hint: Option<&str>) -> Failed {
-        if self.peek() == Lexeme::End {
-            return self.too_early(expected);
-        }
-        if let Some((name, at)) = self.blamed_word() {
-            let word = self.ast.names.text(name);
-            let message = format!("`{word}` is a reserved word and means nothing here");
-            let diagnostic = Diagnostic::error("reserved-word", message).hint(instead_of(word));
-            let diagnostic = blame(&self.tokens[at], diagnostic);
-            self.reserved.retain(|(reserved, _)| *reserved != name);
-            self.report(self.at, diagnostic);
-            return Failed;
-        }
-        let found = quoted(&self.tokens[self.at]);
-        let message = format!("expected {expected}, found {found}");
-        self.wrong(self.at, message, hint)
-    }
-
-    /// Reports a mistake at a token.
-    pub fn wrong(&mut self, at: usize, message: impl Into<String>, hint: Option<&str>) -> Failed {
-        let mut diagnostic = Diagnostic::error("syntax", message);
-        if let Some(hint) = hint {
-            diagnostic = diagnostic.hint(hint);
-        }
-        self.report(at, blame(&self.tokens[at], diagnostic));
-        Failed
-    }
-
-    /// Reports a mistake that the token at hand gives away about an earlier one.
-    pub fn wrong_about(&mut self, earlier: usize, message: String, hint: &str) -> Failed {
-        let diagnostic = Diagnostic::error("syntax", message).hint(hint);
-        match self.blamed_word() {
-            Some(_) => self.unexpected("something else"),
-            None => {
-                self.report(self.at, blame(&self.tokens[earlier], diagnostic));
-                Failed
-            }
-        }
-    }
-
-    /// A token as messages quote it.
-    pub fn spelling(&self, at: usize) -> String {
-        quoted(&self.tokens[at])
-    }
-
-    fn too_early(&mut self, expected: &str) -> Failed {
-        if let Some(last) = self.tokens.last() {
-            let diagnostic = Diagnostic::error("syntax", "the text ends too early")
-                .hint(format!("{expected} is missing, here or somewhere above"));
-            let diagnostic = blame_behind(last, diagnostic);
-            if !self.braces_are_off {
-                self.report(self.at, diagnostic);
-            }
-        }
-        Failed
-    }
-
-    /// Reports that something is nested beyond reason.
-    pub fn too_deep(&mut self, at: TokenIndex, message: String, hint: &str) -> Failed {
-        let at = (at as usize).min(self.tokens.len() - 1);
-        let diagnostic = Diagnostic::error("too-deep", message).hint(hint);
-        let diagnostic = blame(&self.tokens[at], diagnostic);
-        self.report(self.at.min(self.lexemes.len() - 1), diagnostic);
-        Failed
-    }
-
-    /// A reserved word at hand or just before, which explains why nothing fits.
-    fn blamed_word(&self) -> Option<(Name, usize)> {
-        let places = [self.at.checked_sub(1), Some(self.at)];
-        places.into_iter().flatten().find_map(|at| {
-            let Lexeme::Name(name) = self.lexemes[at] else {
-                return None;
-            };
-            let is_member = at > 0 && self.lexemes[at - 1] == Lexeme::Symbol(Symbol::Dot);
-            let is_reserved = self.reserved.iter().any(|(reserved, _)| *reserved == name);
-            (is_reserved && !is_member).then_some((name, at))
-        })
-    }
-}
-
-/// Going on behind what is wrong.
-impl Parser<'_> {
-    /// Forgets what was begun; the next token may well be wrong for the same reason as the last.
-    pub fn settle(&mut self) {
-        self.nesting = 0;
-        self.pending.clear();
-        self.arguments.clear();
-        self.quiet_until = self.quiet_until.max(self.at + 1);
-    }
-
-    /// Moves behind the end of a statement that begins at `start`, but not out of its block.
-    pub fn skip_statement(&mut self, start: usize) {
-        loop {
-            match self.peek() {
-                Lexeme::End | Lexeme::Symbol(Symbol::RightBrace) => break,
-                Lexeme::Symbol(Symbol::Semicolon) => {
-                    self.advance();
-                    break;
-                }
-                Lexeme::Symbol(Symbol::LeftBrace) => {
-                    self.skip_braces();
-                    break;
-                }
-                Lexeme::Word(word)
-                    if self.at > start && (word.begins_statement() || word == Word::Else) =>
-                {
-                    break;
-                }
-                _ => {
-                    self.advance();
-                }
-            }
-        }
-        self.settle();
-    }
-
-    /// Moves to where another item is likely to begin, at least by one token from `start`.
-    pub fn skip_item(&mut self, start: usize) {
-        loop {
-            match self.peek() {
-                Lexeme::End => break,
-                Lexeme::Symbol(Symbol::Semicolon) => {
-                    self.advance();
-                    break;
-                }
-                Lexeme::Symbol(Symbol::LeftBrace) => {
-                    self.skip_braces();
-                    self.accept(Symbol::Semicolon);
-                    break;
-                }
-                _ if self.at > start && self.begins_item() => break,
-                _ => {
-                    self.advance();
-                }
-            }
-        }
-        self.settle();
-    }
-
-    fn begins_item(&self) -> bool {
-        match self.peek() {
-            Lexeme::Symbol(Symbol::RightBrace)
-            | Lexeme::Word(Word::Struct | Word::Uniform | Word::Precision | Word::Const) => true,
-            Lexeme::Type(_) | Lexeme::Name(_) => matches!(
-                (self.peek_at(1), self.peek_at(2)),
-                (
-                    Lexeme::Name(_),
-                    Lexeme::Symbol(Symbol::LeftParenthesis | Symbol::Assign)
-                )
-            ),
-            _ => false,
-        }
-    }
-
-    /// Moves from a `{` behind its `}`.
-    fn skip_braces(&mut self) {
-        let mut depth = 0;
-        loop {
-            match self.peek() {
-                Lexeme::End => return,
-                Lexeme::Symbol(Symbol::LeftBrace) => depth += 1,
-                Lexeme::Symbol(Symbol::RightBrace) => depth -= 1,
-                _ => {}
-            }
-            self.advance();
-            if depth == 0 {
-                return;
-            }
-        }
-    }
-
-    /// Moves behind the `)` of the `(` at `open`, which something before the token at hand follows.
-    /// Stops before what cannot stand in parentheses.
-    pub fn skip_header(&mut self, open: TokenIndex, may_hold_semicolons: bool) {
-        let here = self.at;
-        self.at = open as usize;
-        let mut depth = 0;
-        loop {
-            match self.peek() {
-                Lexeme::Symbol(Symbol::LeftParenthesis) => depth += 1,
-                Lexeme::Symbol(Symbol::RightParenthesis) => depth -= 1,
-                Lexeme::End | Lexeme::Symbol(Symbol::LeftBrace | Symbol::RightBrace) => break,
-                Lexeme::Symbol(Symbol::Semicolon) if !may_hold_semicolons => break,
-                _ => {}
-            }
-            self.advance();
-            if depth == 0 {
-                break;
-            }
-        }
-        self.at = self.at.max(here);
-        self.settle();
-    }
-
-    /// Reads what stands in the `(…)` of a statement. If it is wrong, moves behind the `)`, so that
-    /// the statement's body can be read all the same.
-    pub fn in_header<T>(
-        &mut self,
-        open: TokenIndex,
-        may_hold_semicolons: bool,
-        read: impl FnOnce(&mut Self) -> Parse<T>,
-    ) -> Parse<T> {
-        let content = read(self).and_then(|content| {
-            self.close(open, Symbol::RightParenthesis, "`)`")?;
-            Ok(content)
-        });
-        if content.is_err() {
-            self.skip_header(open, may_hold_semicolons);
-        }
-        content
-    }
-
-    /// Reads an item; `None` if there is nothing to keep of it.
-    fn item(&mut self) -> Parse<Option<Item>> {
-        match self.peek() {
-            Lexeme::Symbol(Symbol::Semicolon) => Ok(Some(Item::Empty(self.advance()))),
-            Lexeme::Symbol(Symbol::RightBrace) => {
-                let at = self.at;
-                if !self.braces_are_off {
-                    self.wrong(at, "there is one `}` too many", None);
-                    self.braces_are_off = true;
-                }
-                self.advance();
-                Ok(None)
-            }
-            _ => self.external_declaration().map(Some),
-        }
     }
 }

@@ -79,7 +79,7 @@ impl Parser<'_> {
                 let hint = "is there a `;` too many before it, or a `{` missing?";
                 self.wrong(at, "this `else` has no `if`", Some(hint));
                 // What follows may still be right or wrong by itself.
-                Ok(self.statement_kind_behind_else())
+                Ok(StmtKind::Block(vec![self.statement()]))
             }
             _ if self.starts_declaration() => self.local_declaration().map(StmtKind::Declaration),
             Lexeme::Symbol(Symbol::RightParenthesis) => {
@@ -92,11 +92,6 @@ impl Parser<'_> {
                 Ok(StmtKind::Expression(expr))
             }
         }
-    }
-
-    fn statement_kind_behind_else(&mut self) -> StmtKind {
-        let body = self.statement();
-        StmtKind::Block(vec![body])
     }
 
     fn local_declaration(&mut self) -> Parse<Declaration> {
@@ -125,7 +120,7 @@ impl Parser<'_> {
         match word {
             Word::Switch => {
                 let open = self.open(word)?;
-                let selector = self.in_header(open, false, Self::expression);
+                let selector = self.in_header(open, false, "`)`", Self::expression);
                 let body = self.braced_statements()?;
                 let selector = selector?;
                 Ok(StmtKind::Switch { selector, body })
@@ -141,7 +136,7 @@ impl Parser<'_> {
             }
             Word::While => {
                 let open = self.open(word)?;
-                let condition = self.in_header(open, false, Self::condition);
+                let condition = self.in_header(open, false, "`)`", Self::condition);
                 let body = self.statement();
                 let condition = condition?;
                 Ok(StmtKind::While { condition, body })
@@ -152,7 +147,7 @@ impl Parser<'_> {
                     return Err(self.unexpected("`while` behind the body of `do`"));
                 }
                 let open = self.open(Word::While)?;
-                let condition = self.in_header(open, false, Self::expression);
+                let condition = self.in_header(open, false, "`)`", Self::expression);
                 self.semicolon("`;`")?;
                 let condition = condition?;
                 Ok(StmtKind::DoWhile { body, condition })
@@ -203,7 +198,7 @@ impl Parser<'_> {
                     return Err(failed);
                 }
             };
-            let condition = self.in_header(open, false, Self::expression);
+            let condition = self.in_header(open, false, "`)`", Self::expression);
             let condition = condition.unwrap_or_else(|Failed| self.add_stand_in());
             let then = self.statement();
             self.arms.push(Arm {
@@ -245,7 +240,7 @@ impl Parser<'_> {
 
     fn for_loop(&mut self) -> Parse<StmtKind> {
         let open = self.open(Word::For)?;
-        let header = self.in_header(open, true, |parser| {
+        let header = self.in_header(open, true, "`)`", |parser| {
             let init = parser.for_init()?;
             let condition = match parser.is(Symbol::Semicolon) {
                 true => None,

@@ -1,5 +1,0 @@
-uniform float speed;
-
-void mainImage(out vec4 fragColor, in vec2 fragCoord) {
-    fragColor = vec4(sin(iTime * speed));
-}

@@ -1,5 +1,0 @@
-#version 300 es
-
-void mainImage(out vec4 fragColor, in vec2 fragCoord) {
-    fragColor = vec4(1.0);
-}
