@@ -53,12 +53,31 @@ pub fn translate(scene: &Scene, options: &Options) -> Result<Vec<Program>, Repor
         }
     }
     if diagnostics.is_empty() {
+        warn_about_overrides(scene, &mut programs);
         return Ok(programs);
     }
     Err(Report {
         files: scene.files.clone(),
         diagnostics,
     })
+}
+
+/// Warns, once for the scene, about overrides of what no pass mentions.
+fn warn_about_overrides(scene: &Scene, programs: &mut [Program]) {
+    let Some((last, others)) = programs.split_last_mut() else {
+        return;
+    };
+    let is_unused = |name: &&String| others.iter().all(|one| one.unused_overrides.contains(name));
+    for name in last.unused_overrides.iter().filter(is_unused) {
+        last.warnings.push(
+            Diagnostic::warning(
+                "unused-override",
+                format!("the scene never mentions `{name}`, which `-D` sets"),
+            )
+            .at(beginning(scene, scene.image()))
+            .hint("is it spelled as in the text?"),
+        );
+    }
 }
 
 /// Translates one pass of a scene. What is wrong with it, or worth a warning, is named with the pass.
@@ -144,8 +163,10 @@ impl Text<'_> {
         fail_on_errors(&mut diagnostics)?;
         let program = self.lower(&mut checked.hir, tokens, options)?;
         diagnostics.extend(self.unbound_channels(&program, tokens));
+        let unused = preprocessed.unused_overrides;
         Ok(Program {
             warnings: self.in_authors_files(diagnostics),
+            unused_overrides: unused.into_iter().map(str::to_owned).collect(),
             ..program
         })
     }
@@ -237,6 +258,11 @@ impl Text<'_> {
         };
         let (foreign, mut own): (Vec<_>, Vec<_>) = found.into_iter().partition(is_foreign);
         for diagnostic in &mut own {
+            if diagnostic.code == "redeclared" && self.written(diagnostic.span) == "main" {
+                let hint =
+                    "ShaderToy code has an entry point of its own instead; the host brings `main`";
+                diagnostic.hint = Some(hint.to_owned());
+            }
             diagnostic
                 .notes
                 .retain(|(span, _)| span.file != self.preamble);
@@ -254,6 +280,15 @@ impl Text<'_> {
             });
         }
         own
+    }
+
+    /// What the author wrote at a place.
+    fn written(&self, span: Option<Span>) -> &str {
+        span.and_then(|span| {
+            let text = &self.files.get(span.file).text;
+            text.get(span.start as usize..span.end as usize)
+        })
+        .unwrap_or_default()
     }
 
     fn texts(&self) -> String {

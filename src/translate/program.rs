@@ -29,6 +29,8 @@ pub struct Program {
     pub functions: Functions,
     /// What is checked while the pass runs, because it is not known to be harmless.
     pub guards: Guards,
+    /// Macros that the user overrides, and that the pass never mentions.
+    pub unused_overrides: Vec<String>,
     /// What the author should know although the pass runs.
     pub warnings: Vec<Diagnostic>,
 }
@@ -101,6 +103,7 @@ impl Program {
             tables: lowered.tables,
             functions,
             guards,
+            unused_overrides: Vec::new(),
             warnings: Vec::new(),
             module,
             info,

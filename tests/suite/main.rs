@@ -25,6 +25,7 @@ mod channels;
 #[cfg(feature = "gpu")]
 mod clock;
 #[cfg(feature = "gpu")]
+mod codes;
 mod colours;
 #[cfg(feature = "gpu")]
 mod export;

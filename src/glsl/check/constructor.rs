@@ -42,7 +42,7 @@ impl Checker<'_> {
         extent: Extent,
     ) -> Option<Typed> {
         if matches!(ty.base, Base::Void | Base::Sampler(_)) {
-            let message = format!("a `{}` cannot be constructed", self.spell(ty));
+            let message = format!("{} cannot be constructed", self.spell_one(ty));
             self.error("constructor", message, extent);
             return None;
         }
@@ -80,7 +80,7 @@ impl Checker<'_> {
             .iter()
             .find(|argument| argument.ty.base == Base::Void || self.holds_sampler(argument.ty))
         {
-            let message = format!("a `{}` cannot be part of a `{spelled}`", self.spell(bad.ty));
+            let message = format!("{} cannot be part of a `{spelled}`", self.spell_one(bad.ty));
             return fail(message, "");
         }
         if let Some(length) = ty.array {
@@ -96,8 +96,8 @@ impl Checker<'_> {
             return match arguments.iter().find(|argument| argument.ty != element) {
                 Some(bad) => fail(
                     format!(
-                        "a `{}` cannot be an element of `{spelled}`",
-                        self.spell(bad.ty)
+                        "{} cannot be an element of `{spelled}`",
+                        self.spell_one(bad.ty)
                     ),
                     "the elements of an array are not converted",
                 ),
@@ -142,7 +142,7 @@ impl Checker<'_> {
             .iter()
             .find(|argument| argument.ty.scalar().is_none())
         {
-            let message = format!("a `{}` cannot be part of a `{spelled}`", self.spell(bad.ty));
+            let message = format!("{} cannot be part of a `{spelled}`", self.spell_one(bad.ty));
             return Err((message, "choose a member or an element of it"));
         }
         let wanted = self.hir.value_count(ty);

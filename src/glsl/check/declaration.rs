@@ -66,6 +66,20 @@ impl Checker<'_> {
             self.check_block_layout(&found.layout);
             return;
         }
+        if let (
+            [
+                Qualifier {
+                    kind: QualifierKind::Const,
+                    ..
+                },
+            ],
+            [(name, _)],
+        ) = (qualifiers, names)
+            && let Some(Symbol::Struct(_)) = self.scopes.find(*name)
+        {
+            // `const S;` declares nothing.
+            return;
+        }
         let is_invariant = matches!(
             qualifiers,
             [Qualifier {
@@ -210,7 +224,7 @@ impl Checker<'_> {
             Some(ty) => Some(ty),
             None if init.is_some() => {
                 let given = init.map_or(Type::VOID, |init| init.ty);
-                let message = format!("an array is expected, this is a `{}`", self.spell(given));
+                let message = format!("an array is expected, this is {}", self.spell_one(given));
                 self.error("type-mismatch", message, at);
                 None
             }
@@ -270,6 +284,9 @@ impl Checker<'_> {
                     at,
                 });
                 self.declare_here(name, Symbol::Local(id), at)?;
+                if init.is_some() {
+                    self.initialised.insert(id);
+                }
                 if init.is_some_and(|init| self.is_true(init)) {
                     self.note_begun_true(Variable::Local(id));
                 }

@@ -63,6 +63,7 @@ impl Checker<'_> {
         match self.scopes.find(name) {
             Some(Symbol::Local(local)) => {
                 let ty = self.function.locals[local].ty;
+                self.named.insert(local);
                 Some(self.add(ExprKind::Local(local), ty, extent, LEAF))
             }
             Some(Symbol::Global(global)) => self.global(global, extent),
@@ -218,8 +219,8 @@ impl Checker<'_> {
                 }
             },
             _ => {
-                let ty = self.spell(base.ty);
-                let message = format!("a `{ty}` has no member `{spelled}`");
+                let ty = self.spell_one(base.ty);
+                let message = format!("{ty} has no member `{spelled}`");
                 let hint = "only vectors and structures have members";
                 self.error_with_hint("unknown-field", message, at, hint);
                 None
@@ -310,7 +311,7 @@ impl Checker<'_> {
             (None, Base::Vector(_, size)) => u32::from(size),
             (None, Base::Matrix { columns, .. }) => u32::from(columns),
             _ => {
-                let message = format!("a `{}` has no elements to choose from", self.spell(base.ty));
+                let message = format!("{} has no elements to choose from", self.spell_one(base.ty));
                 self.error("not-indexable", message, expr.extent);
                 return None;
             }
@@ -406,7 +407,7 @@ impl Checker<'_> {
             return None;
         }
         let Some(length) = base.ty.array else {
-            let message = format!("a `{}` has no `.length()`", self.spell(base.ty));
+            let message = format!("{} has no `.length()`", self.spell_one(base.ty));
             let hint = "only arrays have; the length of a vector in space is `length(v)`";
             self.error_with_hint("unknown-method", message, at, hint);
             return None;

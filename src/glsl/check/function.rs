@@ -265,6 +265,8 @@ impl Checker<'_> {
         self.returns_value = index.is_none();
         let outer_flow = std::mem::replace(&mut self.flow, Flow::of_function());
         self.constant_parameters.clear();
+        self.named.clear();
+        self.initialised.clear();
         self.scopes.open();
         for parameter in &parameters {
             self.declare_parameter(parameter);
@@ -289,9 +291,10 @@ impl Checker<'_> {
         self.close_scope();
         if result != Type::VOID && !self.returns_value {
             let message = format!("the function `{}` returns nothing", self.text(header.name));
-            let hint = format!("it needs a `return` with a `{}`", self.spell(result));
+            let hint = format!("it needs a `return` with {}", self.spell_one(result));
             self.error_with_hint("missing-return", message, at, hint);
         }
+        self.warn_about_unset_variables(parameters.len());
         self.check_pending_loops();
         self.check_complexity(at);
         self.current = None;
@@ -302,6 +305,25 @@ impl Checker<'_> {
         if let Some(index) = index {
             let id = self.signatures[index].id;
             self.hir.functions[id] = function;
+        }
+    }
+
+    /// Warns about variables that are read although nothing sets them.
+    fn warn_about_unset_variables(&mut self, parameters: usize) {
+        let unset: Vec<_> = self
+            .function
+            .locals
+            .iter()
+            .skip(parameters)
+            .filter(|(id, local)| {
+                !local.written && self.named.contains(id) && !self.initialised.contains(id)
+            })
+            .filter_map(|(_, local)| Some((local.name?, local.at)))
+            .collect();
+        for (name, at) in unset {
+            let message = format!("nothing ever sets the variable `{}`", self.text(name));
+            let hint = "it is zero here and in browsers, but anything elsewhere";
+            self.warn("unset-variable", message, Extent::of(at), hint);
         }
     }
 

@@ -71,6 +71,8 @@ pub fn check(ast: &mut Ast, places: Places<'_, '_>, options: Options) -> Checked
         diagnostics: Vec::new(),
         function: function::empty(),
         details: Vec::new(),
+        named: FxHashSet::default(),
+        initialised: FxHashSet::default(),
         constant_parameters: FxHashSet::default(),
         signatures: Vec::new(),
         overloads: FxHashMap::default(),
@@ -108,6 +110,9 @@ struct Checker<'a> {
     function: hir::Function,
     /// About each expression of `function`.
     details: Vec<Detail>,
+    /// Variables of `function` that are named anywhere, and those that begin with a value.
+    named: FxHashSet<Id<hir::Local>>,
+    initialised: FxHashSet<Id<hir::Local>>,
     /// Parameters of `function` that are `const`.
     constant_parameters: FxHashSet<Id<hir::Local>>,
     /// Every function that was declared.
@@ -225,6 +230,15 @@ impl<'a> Checker<'a> {
     /// A type as the author would write it.
     fn spell(&self, ty: Type) -> String {
         spell(ty, &self.hir.structs, &self.hir.names)
+    }
+
+    /// The same with its article.
+    fn spell_one(&self, ty: Type) -> String {
+        let spelled = self.spell(ty);
+        match spelled.starts_with('i') {
+            true => format!("an `{spelled}`"),
+            false => format!("a `{spelled}`"),
+        }
     }
 
     fn text(&self, name: Name) -> &str {

@@ -24,8 +24,8 @@ impl Checker<'_> {
             }
         };
         if !fits {
-            let ty = self.spell(operand.ty);
-            let message = format!("the operator `{}` does not work on a `{ty}`", op.symbol());
+            let ty = self.spell_one(operand.ty);
+            let message = format!("the operator `{}` does not work on {ty}", op.symbol());
             let hint = match op {
                 UnaryOp::Not if scalar == Some(Scalar::Bool) => "for vectors there is `not(…)`",
                 UnaryOp::Not => "it negates a `bool`; compare first, as in `x != 0.`",
@@ -69,7 +69,7 @@ impl Checker<'_> {
             place.ty.scalar(),
             Some(Scalar::Float | Scalar::Int | Scalar::Uint)
         ) {
-            let message = format!("`{symbol}` does not work on a `{}`", self.spell(place.ty));
+            let message = format!("`{symbol}` does not work on {}", self.spell_one(place.ty));
             self.error("type-mismatch", message, expr.extent);
             return None;
         }
@@ -213,8 +213,8 @@ impl Checker<'_> {
             return Some(self.add_over(kind, place.ty, expr.extent, &[place, value], true));
         };
         if self.operator_result(op, place.ty, value.ty) != Some(place.ty) {
-            let (a, b) = (self.spell(place.ty), self.spell(value.ty));
-            let message = format!("`{}=` cannot change a `{a}` by a `{b}`", op.symbol());
+            let (a, b) = (self.spell_one(place.ty), self.spell_one(value.ty));
+            let message = format!("`{}=` cannot change {a} by {b}", op.symbol());
             let hint = "GLSL ES converts nothing by itself: write `float(…)`, `vec3(…)` and so on";
             self.error_with_hint("type-mismatch", message, expr.extent, hint);
             return None;
@@ -229,11 +229,11 @@ impl Checker<'_> {
     }
 
     pub(super) fn wrong_value(&mut self, place: Type, value: Type, extent: Extent) {
-        let (a, b) = (self.spell(place), self.spell(value));
+        let (a, b) = (self.spell_one(place), self.spell_one(value));
         let message = if place == value {
-            format!("a `{a}` cannot be assigned")
+            format!("{a} cannot be assigned")
         } else {
-            format!("a `{a}` is expected, this is a `{b}`")
+            format!("{a} is expected, this is {b}")
         };
         let hint = match (place.scalar(), value.scalar()) {
             (Some(Scalar::Float), Some(Scalar::Int)) if place.is_scalar() && value.is_scalar() => {
@@ -255,7 +255,7 @@ impl Checker<'_> {
             return Some(of);
         }
         let extent = self.function.exprs[of.id].extent;
-        let message = format!("{what} must be a `bool`, this is a `{}`", self.spell(of.ty));
+        let message = format!("{what} must be a `bool`, this is {}", self.spell_one(of.ty));
         let hint = "compare it with something, as in `x > 0.`; nothing counts as true by itself";
         self.error_with_hint("type-mismatch", message, extent, hint);
         None
@@ -307,7 +307,7 @@ impl Checker<'_> {
             return None;
         }
         if yes.ty.base == Base::Void || self.holds_sampler(yes.ty) {
-            let message = format!("`?:` cannot choose a `{}`", self.spell(yes.ty));
+            let message = format!("`?:` cannot choose {}", self.spell_one(yes.ty));
             self.error_with_hint("type-mismatch", message, expr.extent, "use `if`");
             return None;
         }
@@ -361,7 +361,7 @@ impl Checker<'_> {
             .find(|side| side.ty.base == Base::Void || self.holds_array(side.ty))
         {
             let extent = self.function.exprs[bad.id].extent;
-            let message = format!("`,` cannot join a `{}`", self.spell(bad.ty));
+            let message = format!("`,` cannot join {}", self.spell_one(bad.ty));
             self.error_with_hint("type-mismatch", message, extent, "write two statements");
             return None;
         }

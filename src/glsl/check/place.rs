@@ -16,9 +16,8 @@ enum Refusal {
 impl Checker<'_> {
     /// Requires that an expression names a variable or a part of one, and notes that it is written.
     pub(super) fn require_place(&mut self, place: Typed, extent: Extent) -> Option<()> {
-        let refusal = match self.place_refusal(place) {
-            None => return Some(()),
-            Some(refusal) => refusal,
+        let Some(refusal) = self.place_refusal(place) else {
+            return Some(());
         };
         let (message, hint) = match refusal {
             Refusal::NoPlace => (

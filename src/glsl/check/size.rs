@@ -37,14 +37,14 @@ impl Checker<'_> {
         let components = self.components(ty);
         let bytes = components.saturating_mul(4);
         if components > MAX_COMPONENTS {
-            let message = format!("a `{}` is too large", self.spell(ty));
+            let message = format!("{} is too large", self.spell_one(ty));
             self.error("too-large", message, at);
             return false;
         }
         if bytes >= MAX_VARIABLE {
             let message = format!(
-                "a `{}` has {bytes} bytes, fewer than {MAX_VARIABLE} are allowed",
-                self.spell(ty)
+                "{} has {bytes} bytes, fewer than {MAX_VARIABLE} are allowed",
+                self.spell_one(ty)
             );
             self.refused_by_webgl(
                 "webgl-limit",

@@ -181,8 +181,8 @@ impl Checker<'_> {
         let is_whole = matches!(ty, Some(Type::INT | Type::UINT));
         if let (Some(ty), false) = (ty, is_whole) {
             let message = format!(
-                "`switch` needs an `int` or `uint`, this is a `{}`",
-                self.spell(ty)
+                "`switch` needs an `int` or `uint`, this is {}",
+                self.spell_one(ty)
             );
             self.error("type-mismatch", message, selector_extent);
         }
@@ -280,9 +280,9 @@ impl Checker<'_> {
                 {
                     let ty = *ty;
                     let message = format!(
-                        "the label is a `{}`, the `switch` goes by a `{}`",
-                        self.spell(value.ty),
-                        self.spell(ty)
+                        "the label is {}, the `switch` goes by {}",
+                        self.spell_one(value.ty),
+                        self.spell_one(ty)
                     );
                     self.error("type-mismatch", message, extent);
                     return None;
@@ -312,7 +312,7 @@ impl Checker<'_> {
         let Some(value) = value else {
             self.flow.note_return();
             if result != Type::VOID {
-                let message = format!("a `{}` must be returned", self.spell(result));
+                let message = format!("{} must be returned", self.spell_one(result));
                 self.error("missing-return", message, extent);
             }
             return Some(StmtKind::Return(None));
@@ -328,9 +328,9 @@ impl Checker<'_> {
         }
         if value.ty != result {
             let message = format!(
-                "the function returns a `{}`, this is a `{}`",
-                self.spell(result),
-                self.spell(value.ty)
+                "the function returns {}, this is {}",
+                self.spell_one(result),
+                self.spell_one(value.ty)
             );
             let hint = "GLSL ES converts nothing by itself: write `float(…)`, `vec3(…)` and so on";
             self.error_with_hint("type-mismatch", message, extent, hint);

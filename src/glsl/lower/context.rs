@@ -94,13 +94,13 @@ impl<'a> Context<'a> {
                 }
                 ExprKind::Builtin(builtin, operands) if samples(builtin) => {
                     let sampler = function.operands.get(operands)[0];
-                    if let ExprKind::Local(local) = function.exprs[sampler].kind {
+                    if let ExprKind::Local(local) = last(function, sampler) {
                         self.sampled.insert((id, local));
                     }
                 }
                 ExprKind::Call(callee, operands) => {
                     for (i, &operand) in function.operands.get(operands).iter().enumerate() {
-                        if let ExprKind::Local(local) = function.exprs[operand].kind
+                        if let ExprKind::Local(local) = last(function, operand)
                             && self.sampled.contains(&(callee, Id::new(i)))
                         {
                             self.sampled.insert((id, local));
@@ -264,4 +264,12 @@ fn samples(builtin: Builtin) -> bool {
 /// Whether a parameter is a pointer.
 pub(super) fn is_pointer(direction: Direction) -> bool {
     direction != Direction::In
+}
+
+/// What an expression names behind all commas.
+fn last(function: &Function, mut id: Id<Expr>) -> ExprKind {
+    while let ExprKind::Comma(_, second) = function.exprs[id].kind {
+        id = second;
+    }
+    function.exprs[id].kind
 }

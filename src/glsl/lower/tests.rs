@@ -1,1 +1,123 @@
-//! Small programs, built by hand.
+//! Small programs, built by hand, through naga's validator, our own and every writer.
+
+mod builtins;
+mod program;
+mod statements;
+mod values;
+
+use std::num::NonZeroU32;
+
+use naga::back;
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+use rustc_hash::FxHashMap;
+
+use super::{HostSampler, Interface, Lowered, Options, lower, verify};
+use crate::glsl::Precision;
+use crate::glsl::hir::Hir;
+use crate::glsl::prune::Reachable;
+use crate::glsl::types::{Base, Scalar, Type};
+
+const FLOAT: Type = Type::FLOAT;
+const INT: Type = Type::INT;
+const BOOL: Type = Type::BOOL;
+
+fn vec(size: u8) -> Type {
+    Type::vector(Scalar::Float, size)
+}
+
+fn array(ty: Type, length: u32) -> Type {
+    Type {
+        array: NonZeroU32::new(length),
+        base: match ty.base {
+            Base::Void => unreachable!("there are no arrays of nothing"),
+            base => base,
+        },
+    }
+}
+
+fn interface() -> Interface {
+    Interface {
+        group: 0,
+        block: 0,
+        uniforms: [
+            "iResolution",
+            "iTime",
+            "iChannelTime",
+            "iFrame",
+            "iMatrix",
+            "iOn",
+        ]
+        .map(str::to_owned)
+        .to_vec(),
+        samplers: (0..3)
+            .map(|i| HostSampler {
+                name: format!("iChannel{i}"),
+                texture: 1 + 2 * i,
+                sampler: 2 + 2 * i,
+            })
+            .collect(),
+        tables: 9,
+    }
+}
+
+/// Lowers a program, which must pass the validators.
+fn lowered(hir: &Hir, precision: Precision) -> (Lowered, ModuleInfo) {
+    let interface = interface();
+    let options = Options {
+        precision,
+        interface: &interface,
+        double_functions: FxHashMap::default(),
+    };
+    let mut lowered = lower(hir, &Reachable::new(hir), &options);
+    verify::verify(&lowered.module).expect("well-formed IR");
+    naga::compact::compact(&mut lowered.module, naga::compact::KeepUnused::No);
+    let info = Validator::new(ValidationFlags::all(), Capabilities::all())
+        .validate(&lowered.module)
+        .unwrap_or_else(|error| panic!("{}\n{:#?}", error.emit_to_string(""), lowered.module));
+    (lowered, info)
+}
+
+/// Lowers a program in 32 bits, writes it in every language, and returns the WGSL.
+fn wgsl(hir: &Hir) -> String {
+    let (lowered, info) = lowered(hir, Precision::Single);
+    write_all(&lowered.module, &info)
+}
+
+fn write_all(module: &naga::Module, info: &ModuleInfo) -> String {
+    back::spv::write_vec(module, info, &back::spv::Options::default(), None).expect("SPIR-V");
+    let options = back::hlsl::Options {
+        shader_model: back::hlsl::ShaderModel::V6_0,
+        fake_missing_bindings: true,
+        ..Default::default()
+    };
+    back::hlsl::Writer::new(&mut String::new(), &options, &Default::default())
+        .write(module, info, None)
+        .expect("HLSL");
+    let options = back::msl::Options {
+        lang_version: (2, 4),
+        fake_missing_bindings: true,
+        ..Default::default()
+    };
+    back::msl::write_string(module, info, &options, &Default::default()).expect("MSL");
+    let options = back::glsl::Options {
+        version: back::glsl::Version::new_gles(310),
+        ..Default::default()
+    };
+    let pipeline = back::glsl::PipelineOptions {
+        shader_stage: naga::ShaderStage::Fragment,
+        entry_point: "main".to_owned(),
+        multiview: None,
+    };
+    let mut text = String::new();
+    back::glsl::Writer::new(
+        &mut text,
+        module,
+        info,
+        &options,
+        &pipeline,
+        Default::default(),
+    )
+    .and_then(|mut writer| writer.write())
+    .expect("GLSL");
+    back::wgsl::write_string(module, info, back::wgsl::WriterFlags::empty()).expect("WGSL")
+}

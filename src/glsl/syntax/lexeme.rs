@@ -4,6 +4,7 @@
 use super::ast::TokenIndex;
 use super::words::{KNOWN, Known, Word, spelled};
 use crate::glsl::names::{Name, Names};
+use crate::glsl::preprocess::number::{self, Number};
 use crate::glsl::preprocess::{Kind, Token};
 use crate::glsl::types::Base;
 use crate::source::{Diagnostic, Span};
@@ -157,26 +158,19 @@ pub(super) fn read(tokens: &[Token<'_>], names: &mut Names) -> Lexemes {
 /// The value of a number. One that is not well-formed has been refused already and counts as zero, so
 /// that it is not refused once more.
 fn number(text: &str) -> Lexeme {
-    let bytes = text.as_bytes();
-    let (digits, radix) = match bytes {
-        [b'0', b'x' | b'X', ..] => (&text[2..], 16),
-        _ if bytes.iter().any(|byte| matches!(byte, b'.' | b'e' | b'E')) => {
-            let digits = text.trim_end_matches(['f', 'F']);
-            return Lexeme::Float(digits.parse().unwrap_or(0.0));
-        }
-        [b'0', b'0'..=b'9', ..] => (&text[1..], 8),
-        _ => (text, 10),
-    };
-    match digits.strip_suffix(['u', 'U']) {
-        Some(digits) => Lexeme::Uint(u32::from_str_radix(digits, radix).unwrap_or(0)),
+    match number::parse(text) {
         // The specification has a number's bits decide, not its sign.
-        None => Lexeme::Int(u32::from_str_radix(digits, radix).unwrap_or(0) as i32),
+        Ok(Number::Int(bits)) => Lexeme::Int(bits as i32),
+        Ok(Number::Uint(bits)) => Lexeme::Uint(bits),
+        Ok(Number::Float(value)) => Lexeme::Float(value),
+        // The preprocessor has said what is wrong with it.
+        Err(_) => Lexeme::Int(0),
     }
 }
 
 /// Points a diagnostic at a token.
 pub(super) fn blame(token: &Token<'_>, diagnostic: Diagnostic) -> Diagnostic {
-    diagnostic.at(token.span)
+    token.blame(diagnostic)
 }
 
 /// Points a diagnostic at what should follow a token.
