@@ -3,6 +3,7 @@ use std::process::ExitCode;
 use serde::Serialize;
 use vitrine::report;
 use vitrine::scene::{Channel, Pass, Scene};
+use vitrine::source::Span;
 use vitrine::translate::bindings::{self, Uniform};
 use vitrine::translate::{ChannelUse, Program};
 
@@ -19,7 +20,18 @@ struct Findings<'a> {
     uniform_block: Option<u32>,
     channels: Vec<ChannelFindings<'a>>,
     functions: &'a [String],
+    /// Bytes of constant tables that are bound as a buffer.
+    tables: usize,
+    guards: Guards,
     left_out: LeftOut<'a>,
+}
+
+/// Places that are checked while the pass runs, as `file:line:column`.
+#[derive(Serialize)]
+struct Guards {
+    loops: Vec<String>,
+    accesses: Vec<String>,
+    divisions: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -93,6 +105,15 @@ fn findings<'a>(scene: &'a Scene, pass: &'a Pass, program: &'a Program) -> Findi
             .map(|(index, (usage, bound))| channel(index, *usage, bound.as_ref()))
             .collect(),
         functions: &program.functions.used,
+        tables: program
+            .tables
+            .as_ref()
+            .map_or(0, |tables| 4 * tables.words.len()),
+        guards: Guards {
+            loops: places(scene, &program.guards.loops),
+            accesses: places(scene, &program.guards.accesses),
+            divisions: places(scene, &program.guards.divisions),
+        },
         left_out: LeftOut {
             uniforms: unused.into_iter().map(Uniform::name).collect(),
             channels: channels()
@@ -103,6 +124,15 @@ fn findings<'a>(scene: &'a Scene, pass: &'a Pass, program: &'a Program) -> Findi
             objects,
         },
     }
+}
+
+fn places(scene: &Scene, spans: &[Span]) -> Vec<String> {
+    let place = |span: &Span| {
+        let file = scene.files.get(span.file);
+        let at = file.location(span.start);
+        format!("{}:{}:{}", file.name, at.line, at.column)
+    };
+    spans.iter().map(place).collect()
 }
 
 fn channel(index: usize, usage: ChannelUse, bound: Option<&Channel>) -> ChannelFindings<'_> {
@@ -130,6 +160,13 @@ fn human(findings: &Findings<'_>) -> String {
     text += &line("uniforms", &owned(&findings.uniforms));
     text += &line("channels", &channels);
     text += &line("functions", findings.functions);
+    if findings.tables > 0 {
+        text += &line("tables", &[format!("{} bytes", findings.tables)]);
+    }
+    text += "checked at run time\n";
+    text += &line("loops", &findings.guards.loops);
+    text += &line("indices", &findings.guards.accesses);
+    text += &line("divisions", &findings.guards.divisions);
     text += "left out\n";
     text += &line("uniforms", &owned(&left_out.uniforms));
     text += &line("channels", &owned(&left_out.channels));
