@@ -197,7 +197,11 @@ impl Text<'_> {
         let places = Places::new(tokens);
         let in_own_files = |extents: &[hir::Extent]| -> Vec<Span> {
             let spans = extents.iter().filter_map(|&extent| places.span(extent));
-            spans.filter(|span| span.file != self.preamble).collect()
+            let mut own: Vec<Span> = spans.filter(|span| span.file != self.preamble).collect();
+            // What stands before each `continue` anew is one place.
+            own.sort_by_key(|span| (span.file, span.start, span.end));
+            own.dedup();
+            own
         };
         let guards = Guards {
             loops: in_own_files(&lowered.unguarded.loops),

@@ -267,9 +267,9 @@ impl Checker<'_> {
         if is_owned && !self.check_size(ty, extent) {
             return None;
         }
-        if qualifiers.storage == Storage::In && ty.is_array() && matches!(ty.base, Base::Struct(_))
+        if qualifiers.storage == Storage::In
+            && let Some(message) = self.input_problem(ty, qualifiers.is_flat)
         {
-            let message = "an input cannot be an array of structures";
             self.error("qualifier", message, extent);
             return None;
         }
@@ -317,6 +317,31 @@ impl Checker<'_> {
                 self.declare_here(name, Symbol::Global(id), at)
             }
         }
+    }
+
+    /// What a structure cannot be or hold as an input, §4.3.4.
+    fn input_problem(&self, ty: Type, is_flat: bool) -> Option<&'static str> {
+        let Base::Struct(id) = ty.base else {
+            return None;
+        };
+        if ty.is_array() {
+            return Some("an input cannot be an array of structures");
+        }
+        self.hir.structs[id].fields.iter().find_map(|field| {
+            let scalar = match field.ty.base {
+                _ if field.ty.is_array() => return Some("an input cannot hold an array"),
+                Base::Struct(_) => return Some("an input cannot hold a structure"),
+                Base::Scalar(scalar) | Base::Vector(scalar, _) => scalar,
+                _ => return None,
+            };
+            match scalar {
+                Scalar::Bool => Some("an input cannot hold a `bool`"),
+                Scalar::Int | Scalar::Uint if !is_flat => {
+                    Some("an input with whole numbers cannot be interpolated: write `flat in`")
+                }
+                _ => None,
+            }
+        })
     }
 
     fn declare_constant(

@@ -73,7 +73,7 @@ impl Checker<'_> {
             }
             Some(Symbol::Constant(ty, id)) => Some(self.constant_of(ty, id, extent)),
             Some(Symbol::Wrong) => None,
-            Some(Symbol::Struct(_)) => {
+            Some(Symbol::Struct(_) | Symbol::Block) => {
                 let message = format!("`{}` is a type, a value is expected here", self.text(name));
                 self.error("syntax", message, extent);
                 None

@@ -197,15 +197,29 @@ impl Checker<'_> {
         found
     }
 
-    /// The qualifiers of a structure's member, of which only the precision is allowed.
-    pub(super) fn member_qualifiers(&mut self, qualifiers: &[Qualifier]) -> Option<TokenIndex> {
+    /// The qualifiers of a member, of which only the precision is allowed; in a block also `uniform` and
+    /// how matrices are laid out.
+    pub(super) fn member_qualifiers(
+        &mut self,
+        qualifiers: &[Qualifier],
+        is_block: bool,
+    ) -> Option<TokenIndex> {
         self.check_sequence(qualifiers);
         let mut precision = None;
         for Qualifier { kind, at } in qualifiers {
             match kind {
                 QualifierKind::Precision(_) => precision = Some(*at),
-                // A matrix's layout changes nothing where the host sets no block.
-                QualifierKind::Layout(_) if !self.in_structure => {}
+                QualifierKind::Uniform if is_block => {}
+                QualifierKind::Layout(items) if is_block => {
+                    for item in items {
+                        let name = self.text(item.name).to_owned();
+                        if !matches!(&*name, "row_major" | "column_major") {
+                            let message = format!("a member cannot have the layout `{name}`");
+                            let hint = "there are `row_major` and `column_major`";
+                            self.error_with_hint("qualifier", message, Extent::of(item.at), hint);
+                        }
+                    }
+                }
                 kind => {
                     let message = format!("a member cannot be `{}`", word(kind));
                     self.error("qualifier", message, Extent::of(*at));

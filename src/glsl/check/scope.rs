@@ -14,6 +14,8 @@ pub(super) enum Symbol {
     /// A `const` variable.
     Constant(Type, Id<Constant>),
     Struct(Id<Struct>),
+    /// A uniform block's name, which means nothing by itself.
+    Block,
     /// A function of the author's, or several.
     Function,
     /// A declaration that was wrong: its uses are not reported again.

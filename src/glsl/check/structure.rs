@@ -24,7 +24,7 @@ impl Checker<'_> {
             let message = "a structure cannot be defined within another";
             self.error_with_hint("struct", message, at, "define it before");
         }
-        let fields = self.fields(&definition.members);
+        let fields = self.fields(&definition.members, false);
         self.in_structure = false;
         let id = self.hir.structs.add(Struct {
             name: definition.name,
@@ -42,12 +42,12 @@ impl Checker<'_> {
     }
 
     /// The members of a structure or block.
-    fn fields(&mut self, members: &[Members]) -> Option<Vec<Field>> {
+    fn fields(&mut self, members: &[Members], is_block: bool) -> Option<Vec<Field>> {
         let mut fields = Vec::new();
         let mut seen = FxHashSet::default();
         let mut is_fine = true;
         for group in members {
-            let qualifiers = self.member_qualifiers(&group.ty.qualifiers);
+            let qualifiers = self.member_qualifiers(&group.ty.qualifiers, is_block);
             let resolved = self.resolve(&group.ty.ty);
             let Some((base, length)) = resolved else {
                 is_fine = false;
@@ -133,7 +133,12 @@ impl Checker<'_> {
             return;
         }
         self.check_block_layout(&found.layout);
-        let Some(fields) = self.fields(members) else {
+        let outer = std::mem::replace(&mut self.in_structure, true);
+        let fields = self.fields(members, true);
+        self.in_structure = outer;
+        // The block's name is one of the global scope's, although nothing can be done with it.
+        self.declare_global(name, Symbol::Block, at);
+        let Some(fields) = fields else {
             return;
         };
         if fields.iter().any(|field| self.holds_sampler(field.ty)) {
@@ -165,11 +170,9 @@ impl Checker<'_> {
             at: Some(shown_at),
             written: false,
         });
-        if self.scopes.find_here(name).is_some() {
-            self.redeclared(name, extent);
-        }
         match instance {
             Some(instance) => {
+                self.check_name(instance.name, Extent::of(instance.at));
                 self.declare_global(instance.name, Symbol::Global(global), instance.at);
             }
             None => {

@@ -236,9 +236,31 @@ impl Builder<'_, '_> {
         }
     }
 
-    pub(super) fn compose(&mut self, ty: Type, components: Vec<H>) -> H {
+    pub(super) fn compose(&mut self, ty: Type, mut components: Vec<H>) -> H {
+        if ty.is_vector() {
+            let scalar = ty.scalar().expect("vectors have components");
+            components = components
+                .into_iter()
+                .flat_map(|component| self.without_zero_vector(component, scalar))
+                .collect();
+        }
         let ty = self.context.ty(ty);
         self.add(Expression::Compose { ty, components })
+    }
+
+    /// The components of a zero vector; anything else as it is. Among constants naga's SPIR-V writer
+    /// takes such a vector for one component.
+    fn without_zero_vector(&mut self, value: H, scalar: Scalar) -> Vec<H> {
+        let Expression::ZeroValue(ty) = self.function.expressions[value] else {
+            return vec![value];
+        };
+        match self.context.module.types[ty].inner {
+            naga::TypeInner::Vector { size, .. } => {
+                let zero = self.number(0, scalar);
+                vec![zero; size as usize]
+            }
+            _ => vec![value],
+        }
     }
 
     /// A part of a value, or the pointer to a part, whose place is known.

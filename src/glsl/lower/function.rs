@@ -33,8 +33,8 @@ pub(super) struct Builder<'c, 'a> {
     pub effects: FxHashMap<Id<hir::Expr>, bool>,
     /// What is known of integers.
     pub ranges: Ranges,
-    /// Around how many loops the present statement goes.
-    pub loop_depth: u32,
+    /// The loops that the present statement stands in.
+    pub loops: Vec<&'a hir::Loop>,
     /// Whether a declaration may be jumped over by the statements that see it.
     pub in_arm: bool,
     /// Set while the entry point is built.
@@ -101,7 +101,7 @@ impl<'c, 'a> Builder<'c, 'a> {
             temporaries: FxHashMap::default(),
             effects: FxHashMap::default(),
             ranges: Ranges::default(),
-            loop_depth: 0,
+            loops: Vec::new(),
             in_arm: false,
             entry: None,
             context,

@@ -63,6 +63,8 @@ impl<'a> Builder<'_, 'a> {
                 return true;
             }
             StmtKind::Continue => {
+                let source = *self.loops.last().expect("it stands in a loop");
+                self.finish_round(source);
                 self.push(Statement::Continue);
                 return true;
             }
@@ -125,7 +127,7 @@ impl<'a> Builder<'_, 'a> {
         match value {
             Some(value) => self.evaluate_into(value, pointer),
             // Without a loop around it, it is zero from the start.
-            None if self.loop_depth == 0 => {}
+            None if self.loops.is_empty() => {}
             None => self.store_zero(pointer, ty),
         }
     }
@@ -145,7 +147,7 @@ impl<'a> Builder<'_, 'a> {
     fn repeat(&mut self, source: &'a Loop, before: &'a [Stmt]) {
         let counter = self.counter(source, before);
         let span = self.span;
-        self.loop_depth += 1;
+        self.loops.push(source);
         self.open();
         if !source.tests_last
             && let Some(condition) = self.condition(source)
@@ -153,29 +155,33 @@ impl<'a> Builder<'_, 'a> {
             self.branch(condition, |_| {}, |b| b.push(Statement::Break));
         }
         let outside = counter.map(|(local, range)| (local, self.ranges.set(local, Some(range))));
-        self.scope(&source.body);
+        if !self.scope(&source.body) {
+            self.finish_round(source);
+        }
         if let Some((local, range)) = outside {
             self.ranges.set(local, range);
         }
         let body = self.close();
-        self.open();
-        if let Some(step) = source.step {
-            self.effect(step);
-        }
-        let mut break_if = None;
-        if source.tests_last
-            && let Some(condition) = self.condition(source)
-        {
-            break_if = Some(self.not(condition));
-        }
-        let continuing = self.close();
-        self.loop_depth -= 1;
+        self.loops.pop();
         self.span = span;
         self.push(Statement::Loop {
             body,
-            continuing,
-            break_if,
+            continuing: naga::Block::new(),
+            break_if: None,
         });
+    }
+
+    /// What is done between two rounds of a loop. It stands before each `continue` anew, as compilers
+    /// of GLSL have it: where SPIR-V has it apart, drivers take minutes to unroll some loops.
+    fn finish_round(&mut self, source: &'a Loop) {
+        if let Some(step) = source.step {
+            self.effect(step);
+        }
+        if source.tests_last
+            && let Some(condition) = self.condition(source)
+        {
+            self.branch(condition, |_| {}, |b| b.push(Statement::Break));
+        }
     }
 
     fn condition(&mut self, source: &Loop) -> Option<H> {

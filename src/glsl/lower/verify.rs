@@ -26,7 +26,7 @@ pub fn verify(module: &naga::Module) -> Result<(), Fault> {
     let entries = module.entry_points.iter().map(|entry| &entry.function);
     let functions = module.functions.iter().map(|(_, function)| function);
     for function in functions.chain(entries) {
-        verify_function(function).map_err(|what| Fault {
+        verify_function(module, function).map_err(|what| Fault {
             function: function.name.clone().unwrap_or_default(),
             what,
         })?;
@@ -34,13 +34,14 @@ pub fn verify(module: &naga::Module) -> Result<(), Fault> {
     Ok(())
 }
 
-fn verify_function(function: &Function) -> Result<(), String> {
+fn verify_function(module: &naga::Module, function: &Function) -> Result<(), String> {
     for (_, variable) in function.local_variables.iter() {
         if variable.init.is_some() {
             return Err("a variable has an initial value instead of a store".to_owned());
         }
     }
     let mut scope = Scope {
+        module,
         function,
         known: vec![false; function.expressions.len()],
     };
@@ -55,6 +56,7 @@ fn verify_function(function: &Function) -> Result<(), String> {
 }
 
 struct Scope<'a> {
+    module: &'a naga::Module,
     function: &'a Function,
     known: Vec<bool>,
 }
@@ -194,6 +196,17 @@ impl Scope<'_> {
                 }
             }
         });
+        if let Expression::Compose { ty, components } = expression
+            && matches!(self.module.types[*ty].inner, naga::TypeInner::Vector { .. })
+            && components.len() > 1
+            && components
+                .iter()
+                .any(|&component| self.is_zero_vector(component))
+        {
+            return Err(format!(
+                "{handle:?} is made of a zero vector, which no writer takes apart"
+            ));
+        }
         if let Expression::ImageSample {
             offset: Some(offset),
             ..
@@ -203,6 +216,15 @@ impl Scope<'_> {
             return Err(format!("the offset of {handle:?} is no literal"));
         }
         result
+    }
+
+    fn is_zero_vector(&self, handle: H) -> bool {
+        match self.function.expressions[handle] {
+            Expression::ZeroValue(ty) => {
+                matches!(self.module.types[ty].inner, naga::TypeInner::Vector { .. })
+            }
+            _ => false,
+        }
     }
 
     fn is_literal(&self, handle: H) -> bool {

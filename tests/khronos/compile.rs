@@ -1,0 +1,90 @@
+//! The one place that asks the front end.
+
+use vitrine::glsl::check::{self, check};
+use vitrine::glsl::lower::{self, Interface, Lowered, lower, verify::verify};
+use vitrine::glsl::places::Places;
+use vitrine::glsl::preprocess::{self, preprocess};
+use vitrine::glsl::prune::Reachable;
+use vitrine::glsl::{Precision, finite, syntax};
+use vitrine::source::{Diagnostic, SourceMap};
+
+/// The bind group of everything.
+pub const GROUP: u32 = 0;
+/// The binding of the uniform block.
+pub const BLOCK: u32 = 0;
+/// The binding of the constant tables.
+pub const TABLES: u32 = 1;
+
+/// Why there is no program.
+#[derive(Debug)]
+pub enum Refusal {
+    /// The text is refused, with this complaint.
+    Text(String),
+    /// The text is refused for nothing but that it reads what a vertex shader would write.
+    Varyings,
+    /// The front end has made something that naga cannot take.
+    Internal(String),
+}
+
+/// Compiles a fragment shader whose block holds these uniforms.
+pub fn compile(text: &str, uniforms: Vec<String>) -> Result<Lowered, Refusal> {
+    let strict = true;
+    let precision = Precision::Single;
+    let mut files = SourceMap::default();
+    let file = files.add("case", text);
+    let options = preprocess::Options {
+        strict,
+        ..Default::default()
+    };
+    let preprocessed = preprocess(&files, &[file], &options);
+    let mut found = preprocessed.diagnostics;
+    require_none(&files, &found)?;
+    let tokens = &preprocessed.tokens;
+    let mut parsed = syntax::parse(tokens, strict);
+    found.append(&mut parsed.diagnostics);
+    require_none(&files, &found)?;
+    let options = check::Options { strict, precision };
+    let mut checked = check(&mut parsed.ast, Places::new(tokens), options);
+    found.append(&mut checked.diagnostics);
+    require_none(&files, &found)?;
+
+    finite::mark_finite_loops(&mut checked.hir);
+    let reachable = Reachable::new(&checked.hir);
+    let options = lower::Options {
+        precision,
+        interface: &Interface {
+            group: GROUP,
+            block: BLOCK,
+            uniforms,
+            samplers: Vec::new(),
+            tables: TABLES,
+        },
+        double_functions: Default::default(),
+    };
+    let lowered = lower(&checked.hir, &reachable, &options);
+    verify(&lowered.module).map_err(|fault| Refusal::Internal(fault.to_string()))?;
+    Ok(lowered)
+}
+
+/// Fails with the errors among what was found.
+fn require_none(files: &SourceMap, found: &[Diagnostic]) -> Result<(), Refusal> {
+    let errors: Vec<_> = found.iter().filter(|found| found.is_error()).collect();
+    let Some(first) = errors.first() else {
+        return Ok(());
+    };
+    if errors.iter().all(|error| error.code == "unlinked-input") {
+        return Err(Refusal::Varyings);
+    }
+    let first = errors
+        .iter()
+        .find(|error| error.code != "unlinked-input")
+        .unwrap_or(first);
+    let line = match first.span {
+        Some(span) => files.get(span.file).location(span.start).line.to_string(),
+        None => "?".to_owned(),
+    };
+    Err(Refusal::Text(format!(
+        "{}: {} (line {line})",
+        first.code, first.message
+    )))
+}
