@@ -5,7 +5,7 @@
 //! [`Program::uniforms`] and [`Program::channels`], bound as [`bindings`] says. Every complaint points
 //! into the author's own files. No text, however hostile, makes this panic or run for ever.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 
 pub mod bindings;
 mod guard;
@@ -336,11 +336,17 @@ fn fail_on_errors(diagnostics: &mut Vec<Diagnostic>) -> Result<(), Vec<Diagnosti
     }
 }
 
-fn in_pass(pass: &Pass, mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
-    for diagnostic in &mut found {
-        diagnostic.pass = Some(pass.kind.name().to_owned());
-    }
+/// Names the pass; what is wrong twice with the tokens of one macro at one place is told once.
+fn in_pass(pass: &Pass, found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut told = HashSet::new();
     found
+        .into_iter()
+        .filter(|one| told.insert((one.code, one.message.clone(), one.span)))
+        .map(|diagnostic| Diagnostic {
+            pass: Some(pass.kind.name().to_owned()),
+            ..diagnostic
+        })
+        .collect()
 }
 
 /// The beginning of the pass's own text, for what has no better place.

@@ -2,14 +2,17 @@
 //!
 //! - A test that draws asks [`support::gpu`] first. Without a graphics adapter it says that it was
 //!   skipped and passes; with `REQUIRE_GPU=1` it fails.
-//! - Golden pictures and texts lie in `tests/goldens` and `tests/messages`. `BLESS=1 cargo test`
+//! - Golden pictures and texts lie in `tests/goldens`, `tests/messages` and `tests/glsl`. `BLESS=1 cargo test`
 //!   accepts what the program makes now; look at it before committing it.
 
 mod bad_folder;
 mod bad_input;
 mod check_many;
+mod codes;
 mod define;
 mod fuzz;
+mod glsl_lenient;
+mod glsl_refuse;
 mod json_scenes;
 mod layering;
 mod messages;
@@ -17,6 +20,7 @@ mod seeds;
 mod support;
 mod translate;
 mod usage;
+mod verdicts;
 
 #[cfg(feature = "gpu")]
 mod bad_output;
@@ -25,10 +29,11 @@ mod channels;
 #[cfg(feature = "gpu")]
 mod clock;
 #[cfg(feature = "gpu")]
-mod codes;
 mod colours;
 #[cfg(feature = "gpu")]
 mod export;
+#[cfg(feature = "gpu")]
+mod glsl_accept;
 #[cfg(all(feature = "gpu", unix))]
 mod interrupt;
 #[cfg(feature = "gpu")]

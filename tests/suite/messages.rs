@@ -2,10 +2,9 @@
 //! with one thing wrong; the `.txt` beside it is what `check` prints, a `.json` what it prints for
 //! tools. Adding a message test is adding a scene there and running with `BLESS=1`.
 
-use std::collections::BTreeSet;
 use std::fs;
 
-use crate::support::{golden_text, repository, vitrine};
+use crate::support::{golden_text, left_over, repository, unfit_for_people, vitrine};
 
 const FOLDER: &str = "tests/messages";
 
@@ -67,29 +66,13 @@ fn tools_are_told_the_same() {
 
 #[test]
 fn every_expected_message_belongs_to_a_scene() {
-    let cases: BTreeSet<_> = cases()
+    let stems = cases()
         .iter()
         .map(|case| case.trim_end_matches(".glsl").to_owned())
         .collect();
-    for entry in fs::read_dir(repository(FOLDER)).expect("the messages") {
-        let path = entry.expect("an entry").path();
-        let name = path
-            .file_stem()
-            .expect("a name")
-            .to_string_lossy()
-            .into_owned();
-        assert!(
-            name.starts_with('.') || cases.contains(&name),
-            "{} is left over",
-            path.display()
-        );
-    }
+    let problems = left_over(FOLDER, &stems);
+    assert!(problems.is_empty(), "\n{problems}");
 }
-
-/// Words that belong to the translator's insides. An author cannot do anything with them.
-const INSIDES: [&str; 7] = [
-    "vitrine_", "Some(", "Handle", "Scalar {", "LHS", "naga", "panicked",
-];
 
 #[test]
 fn messages_are_for_people_and_are_given_once() {
@@ -98,16 +81,7 @@ fn messages_are_for_people_and_are_given_once() {
         let stem = case.trim_end_matches(".glsl");
         let path = repository(FOLDER).join(format!("{stem}.txt"));
         let text = fs::read_to_string(path).expect("an expected message");
-        for words in INSIDES.iter().filter(|words| text.contains(**words)) {
-            problems += &format!("{stem}.txt speaks of `{words}`\n");
-        }
-        let titles: Vec<_> = text
-            .lines()
-            .filter(|line| line.starts_with("error"))
-            .collect();
-        if titles.iter().collect::<BTreeSet<_>>().len() < titles.len() {
-            problems += &format!("{stem}.txt repeats itself\n");
-        }
+        problems += &unfit_for_people(&format!("{stem}.txt"), &text);
     }
     assert!(problems.is_empty(), "\n{problems}");
 }

@@ -2,7 +2,7 @@ use std::sync::OnceLock;
 
 use glam::UVec2;
 use vitrine::frame::{Clock, FrameImage, FrameInput};
-use vitrine::render::{AdapterChoice, Gpu, ReadBack, Target};
+use vitrine::render::{AdapterChoice, Gpu, GpuError, ReadBack, Renderer, Target};
 use vitrine::scene::Source;
 use vitrine::session::{OpenError, Session};
 use vitrine::translate::Options;
@@ -38,16 +38,23 @@ pub fn open(gpu: &Gpu, source: &Source) -> Session {
 
 /// Draws one frame and reads it back, as an export does.
 pub fn draw(gpu: &Gpu, session: &Session, input: &FrameInput) -> FrameImage {
-    let target = Target::new(gpu, input.resolution).expect("a target");
-    let ring = ReadBack::new(gpu, input.resolution, 1, false).expect("a read-back buffer");
+    draw_with(gpu, &session.renderer, input).expect("the device works")
+}
+
+/// The same for those who have translated and built the scene themselves.
+pub fn draw_with(
+    gpu: &Gpu,
+    renderer: &Renderer,
+    input: &FrameInput,
+) -> Result<FrameImage, GpuError> {
+    let target = Target::new(gpu, input.resolution)?;
+    let ring = ReadBack::new(gpu, input.resolution, 1, false)?;
     let mut slot = ring.slots.into_iter().next().expect("one slot");
-    session
-        .renderer
-        .render(gpu, input, &target, Some(&mut slot));
-    while !slot.is_ready(gpu).expect("the device works") {}
+    renderer.render(gpu, input, &target, Some(&mut slot));
+    while !slot.is_ready(gpu)? {}
     let mut image = FrameImage::default();
-    slot.take(gpu, &mut image).expect("a picture");
-    image
+    slot.take(gpu, &mut image)?;
+    Ok(image)
 }
 
 /// Draws a pasted text at time 0.

@@ -1,22 +1,30 @@
 //! What the tests share: scenes, pictures, goldens, and the program itself.
 
 mod folder;
+mod glsl;
 mod golden;
 mod program;
+mod snapshots;
 
+#[cfg(feature = "gpu")]
+mod expected;
 #[cfg(feature = "gpu")]
 mod gpu;
 #[cfg(feature = "gpu")]
 mod picture;
 
 pub use folder::{Folder, repository, scene_folders};
+pub use glsl::{Case, cases, on_every_core};
 pub use golden::golden_text;
 pub use program::vitrine;
+pub use snapshots::{left_over, unfit_for_people};
 
+#[cfg(feature = "gpu")]
+pub use expected::Drawing;
 #[cfg(feature = "gpu")]
 pub use golden::{Tolerance, golden_picture};
 #[cfg(feature = "gpu")]
-pub use gpu::{draw, gpu, open, still};
+pub use gpu::{draw, draw_with, gpu, open, still};
 #[cfg(feature = "gpu")]
 pub use picture::{assert_claims, claims, differing, distances, read_png};
 

@@ -1,0 +1,10 @@
+// an extension of ES 1.00 is enabled that ES 3.00 has built in
+// expect: 1 0 0
+#extension GL_OES_standard_derivatives : enable
+void mainImage(out vec4 fragColor, in vec2 fragCoord)
+{
+    int okR = 0;
+    int Z = min(iFrame, 0);
+    if (dFdx(fragCoord.x) == 1.0) okR += 1;
+    fragColor = vec4(float(okR) / 255.0, 0.0, 0.0, 1.0);
+}

@@ -1,0 +1,12 @@
+// an extension is enabled in a block that is not skipped
+// expect: 1 0 0
+#ifdef GL_ES
+#extension GL_OES_standard_derivatives : enable
+#endif
+void mainImage(out vec4 fragColor, in vec2 fragCoord)
+{
+    int okR = 0;
+    int Z = min(iFrame, 0);
+    okR += 1;
+    fragColor = vec4(float(okR) / 255.0, 0.0, 0.0, 1.0);
+}

@@ -1,0 +1,10 @@
+// an array of more than 64 KiB is never used
+// expect: 1 0 0
+float a[1000000];
+void mainImage(out vec4 fragColor, in vec2 fragCoord)
+{
+    int okR = 0;
+    int Z = min(iFrame, 0);
+    okR += 1;
+    fragColor = vec4(float(okR) / 255.0, 0.0, 0.0, 1.0);
+}

@@ -1,0 +1,12 @@
+// a reserved word that is used often is told of once
+// expect: 1 0 0
+void mainImage(out vec4 fragColor, in vec2 fragCoord)
+{
+    int okR = 0;
+    int Z = min(iFrame, 0);
+    float this = 1.0;
+    this += this;
+    this *= this + this;
+    if (this == 8.0) okR += 1;
+    fragColor = vec4(float(okR) / 255.0, 0.0, 0.0, 1.0);
+}

@@ -1,0 +1,5 @@
+// May a bool be initialised from an int?
+void mainImage(out vec4 c, in vec2 f) {
+bool b = 1;
+c = vec4(0.0);
+}

@@ -1,0 +1,6 @@
+// May a void function return a value?
+void g() { return 1.; }
+void mainImage(out vec4 c, in vec2 f) {
+
+c = vec4(0.0);
+}

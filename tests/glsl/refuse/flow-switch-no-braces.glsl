@@ -1,0 +1,5 @@
+// May a switch body lack braces?
+void mainImage(out vec4 c, in vec2 f) {
+switch (iFrame) case 0: c.x = 1.;
+c = vec4(0.0);
+}

@@ -1,0 +1,2 @@
+// May mainImage be missing?
+float g() { return 1.; }

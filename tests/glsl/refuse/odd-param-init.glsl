@@ -1,0 +1,6 @@
+// May a parameter be initialised?
+float g(float x = 1.0) { return x; }
+void mainImage(out vec4 c, in vec2 f) {
+
+c = vec4(0.0);
+}

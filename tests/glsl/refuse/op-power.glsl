@@ -1,0 +1,5 @@
+// May ** be used?
+void mainImage(out vec4 c, in vec2 f) {
+float x = f.x ** 2.;
+c = vec4(0.0);
+}

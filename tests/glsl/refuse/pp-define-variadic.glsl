@@ -1,0 +1,6 @@
+// May a macro be variadic?
+#define A(...) 1.0
+void mainImage(out vec4 c, in vec2 f) {
+
+c = vec4(0.0);
+}

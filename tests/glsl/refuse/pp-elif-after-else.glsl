@@ -1,0 +1,9 @@
+// May #elif follow #else?
+#if 1
+#else
+#elif 1
+#endif
+void mainImage(out vec4 c, in vec2 f) {
+
+c = vec4(0.0);
+}

@@ -1,0 +1,6 @@
+// May #else stand without #if?
+#else
+void mainImage(out vec4 c, in vec2 f) {
+
+c = vec4(0.0);
+}

@@ -1,0 +1,6 @@
+// May #extension UNKNOWN : disable be written?
+#extension GL_FOO_bar : disable
+void mainImage(out vec4 c, in vec2 f) {
+
+c = vec4(0.0);
+}

@@ -1,0 +1,6 @@
+// May #line lack a number?
+#line
+void mainImage(out vec4 c, in vec2 f) {
+
+c = vec4(0.0);
+}

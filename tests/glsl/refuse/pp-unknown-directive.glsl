@@ -1,0 +1,6 @@
+// May an unknown directive stand?
+#foo bar
+void mainImage(out vec4 c, in vec2 f) {
+
+c = vec4(0.0);
+}

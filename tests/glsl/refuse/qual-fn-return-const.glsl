@@ -1,0 +1,6 @@
+// May a function return type be `const float`?
+const float g() { return 1.; }
+void mainImage(out vec4 c, in vec2 f) {
+
+c = vec4(0.0);
+}

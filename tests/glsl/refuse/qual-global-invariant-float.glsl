@@ -1,0 +1,6 @@
+// May a plain global be `invariant float`?
+invariant float x;
+void mainImage(out vec4 c, in vec2 f) {
+
+c = vec4(0.0);
+}

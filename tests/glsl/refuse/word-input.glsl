@@ -1,0 +1,6 @@
+// May `input` (reserved in ES 3.00) be a local variable name?
+void mainImage(out vec4 c, in vec2 f) {
+float input = 1.0;
+c.x = input;
+c = vec4(0.0);
+}
