@@ -13,7 +13,7 @@ use crate::glsl::names::Name;
 use crate::glsl::syntax::ast::{self, Extent, Header, StmtKind, TokenIndex, TypeKind};
 use crate::glsl::types::{Base, Type};
 
-/// How many parameters WebGL2 lets a function have.
+/// How many parameters WebGL2 and SPIR-V let a function have.
 const MAX_PARAMETERS: usize = 255;
 
 /// How deep WebGL2 lets calls go.
@@ -280,7 +280,7 @@ impl Checker<'_> {
         }
         if parameters.len() > MAX_PARAMETERS {
             let message = format!("a function has more than {MAX_PARAMETERS} parameters");
-            self.refused_by_webgl("webgl-limit", message, at, "put some into a structure");
+            self.error_with_hint("too-large", message, at, "put some into a structure");
         }
         let mut block = Vec::new();
         if let StmtKind::Block(statements) = &self.ast.stmts[body].kind {
