@@ -1,183 +1,252 @@
-//! From text to a validated module, on one core: this project's front end against naga's own, on shaders
-//! that both accept.
+//! How long the way from text to a validated module takes, on one core, beside naga's own GLSL front
+//! end with the same validator.
 //!
-//! ```text
-//! cargo bench --bench translate
-//! ```
-//!
-//! The shaders are the scenes without textures and the small ones of `tests/glsl/accept`. With
-//! `SHADERS=FILE`, a list of files with an Image pass each, those are added.
+//! Run it with `cargo bench --bench translate`. The texts are the project's own shaders, as far as
+//! both accept them. With `CORPUS_LIST=FILE`, a list of scenes, one path a line, it measures those
+//! once each instead, and prints how the two compare and where our time goes.
 
+use std::hint::black_box;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use naga::front::glsl::{Frontend, Options};
+use criterion::{Criterion, Throughput};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use vitrine::glsl::check::{self, check};
-use vitrine::glsl::lower::{self, Interface, lower};
+use vitrine::glsl::lower::{self, lower};
 use vitrine::glsl::places::Places;
 use vitrine::glsl::preprocess::{self, preprocess};
 use vitrine::glsl::prune::Reachable;
-use vitrine::glsl::{Precision, finite, syntax};
-use vitrine::scene::{self, Source};
-use vitrine::source::{FileId, SourceMap};
+use vitrine::glsl::{Precision, double, finite, syntax};
+use vitrine::scene::{self, CHANNELS, Pass, PassKind, SamplerKind, Scene, Source};
+use vitrine::source::{Diagnostic, FileId, SourceMap};
+use vitrine::translate::bindings::{self, Uniform};
 
-const PREAMBLE: &str = "\
-precision highp float;
-uniform vec3 iResolution;
-uniform float iTime;
-uniform vec4 iMouse;
-uniform int iFrame;
-out vec4 color;
-void mainImage(out vec4 color, in vec2 coord);
-void main() { vec4 c; mainImage(c, gl_FragCoord.xy); color = c; }
+const MAIN: &str = "
+out vec4 shadertoy_out_color;
+void main() {
+    mainImage(shadertoy_out_color, gl_FragCoord.xy);
+}
 ";
 
-const NAGA_PREAMBLE: &str = "\
-#version 450
-layout(set = 0, binding = 0, std140) uniform Uniforms {
-    vec3 iResolution; float iTime; vec4 iMouse; int iFrame;
-};
-layout(location = 0) out vec4 color;
-";
-
-const NAGA_MAIN: &str = "
-void main() { vec4 c = vec4(0.0); mainImage(c, gl_FragCoord.xy); color = c; }
-";
-
-/// One shader for either front end.
-struct Shader {
+/// A pass as each of the two takes it.
+struct Text {
     files: SourceMap,
     units: Vec<FileId>,
     naga: String,
 }
 
-impl Shader {
-    fn new(texts: &[String]) -> Self {
-        let mut files = SourceMap::default();
-        let mut units = vec![files.add("preamble", PREAMBLE)];
-        units.extend(texts.iter().map(|text| files.add("text", text.as_str())));
-        Shader {
-            files,
-            units,
-            naga: format!("{NAGA_PREAMBLE}{}{NAGA_MAIN}", texts.join("\n")),
-        }
+impl Text {
+    fn new(scene: &Scene, pass: &Pass) -> Self {
+        let own: Vec<&str> = pass
+            .sources
+            .iter()
+            .map(|&file| &*scene.files.get(file).text)
+            .collect();
+        let naga = [&naga_header(pass), own.join("\n").as_str(), MAIN].concat();
+        let mut files = scene.files.clone();
+        let mut units = vec![files.add("header", header(pass))];
+        units.extend(&pass.sources);
+        units.push(files.add("main", MAIN));
+        Text { files, units, naga }
     }
+}
 
-    fn with_vitrine(&self, interface: &Interface) -> Option<naga::Module> {
-        let preprocessed = preprocess(&self.files, &self.units, &preprocess::Options::default());
-        let mut parsed = syntax::parse(&preprocessed.tokens, false);
-        let places = Places::new(&preprocessed.tokens);
-        let mut checked = check(&mut parsed.ast, places, check::Options::default());
-        let all = [
-            preprocessed.diagnostics,
-            parsed.diagnostics,
-            checked.diagnostics,
-        ];
-        if all.iter().flatten().any(|found| found.is_error()) {
-            return None;
-        }
-        finite::mark_finite_loops(&mut checked.hir);
-        let reachable = Reachable::new(&checked.hir);
-        let options = lower::Options {
+fn samplers(pass: &Pass) -> [&'static str; CHANNELS] {
+    pass.channels.each_ref().map(|channel| {
+        channel
+            .as_ref()
+            .map_or(SamplerKind::TwoD, |channel| channel.input.sampler())
+            .glsl()
+    })
+}
+
+fn header(pass: &Pass) -> String {
+    let mut text =
+        "precision highp float; precision highp int; precision mediump sampler3D;\n".to_owned();
+    for uniform in Uniform::ALL {
+        text += &format!("uniform {};\n", uniform.declaration());
+    }
+    for (channel, sampler) in samplers(pass).into_iter().enumerate() {
+        text += &format!("uniform {sampler} {};\n", bindings::channel_name(channel));
+    }
+    text
+}
+
+/// naga wants uniforms in a block, and textures apart from samplers.
+fn naga_header(pass: &Pass) -> String {
+    let mut text = "#version 450 core\nlayout(set = 0, binding = 0) uniform Block {\n".to_owned();
+    for uniform in Uniform::ALL {
+        text += &format!("{};\n", uniform.declaration());
+    }
+    text += "};\n";
+    for (channel, sampler) in samplers(pass).into_iter().enumerate() {
+        let texture = sampler.replace("sampler", "texture");
+        let name = bindings::channel_name(channel);
+        let (at, with) = (bindings::texture(channel), bindings::sampler(channel));
+        text += &format!(
+            "layout(set = 0, binding = {at}) uniform {texture} texture_{channel};\n\
+             layout(set = 0, binding = {with}) uniform sampler sampler_{channel};\n\
+             #define {name} {sampler}(texture_{channel}, sampler_{channel})\n"
+        );
+    }
+    text
+}
+
+/// The phases of our front end, and the time that each took.
+const PHASES: [&str; 5] = ["preprocess", "parse", "check", "lower", "validate"];
+
+/// Our way; false if the text is refused.
+fn ours(text: &Text, times: &mut [Duration; 5]) -> bool {
+    let mut start = Instant::now();
+    let mut lap = |phase: usize| {
+        let now = Instant::now();
+        times[phase] += now - std::mem::replace(&mut start, now);
+    };
+    let is_fine = |found: &[Diagnostic]| !found.iter().any(Diagnostic::is_error);
+    let preprocessed = preprocess(
+        &text.files,
+        &text.units,
+        &preprocess::Options {
+            defines: &[("HW_PERFORMANCE", "1")],
+            ..preprocess::Options::default()
+        },
+    );
+    lap(0);
+    let parsed = syntax::parse(&preprocessed.tokens, false);
+    lap(1);
+    if !is_fine(&preprocessed.diagnostics) || !is_fine(&parsed.diagnostics) {
+        return false;
+    }
+    let mut ast = parsed.ast;
+    let places = Places::new(&preprocessed.tokens);
+    let mut checked = check(&mut ast, places, check::Options::default());
+    lap(2);
+    if !is_fine(&checked.diagnostics) || checked.hir.main.is_none() {
+        return false;
+    }
+    finite::mark_finite_loops(&mut checked.hir);
+    let double_functions = double::Functions::default();
+    let reachable = Reachable::new(&checked.hir, &double_functions);
+    let interface = bindings::interface();
+    let lowered = lower(
+        &checked.hir,
+        &reachable,
+        &lower::Options {
             precision: Precision::Single,
-            interface,
-            double_functions: Default::default(),
-        };
-        let module = lower(&checked.hir, &reachable, &options).module;
-        validate(&module).then_some(module)
-    }
+            interface: &interface,
+            double_functions: &double_functions,
+        },
+    );
+    lap(3);
+    let valid = validate(&lowered.module);
+    lap(4);
+    valid
+}
 
-    fn with_naga(&self) -> Option<naga::Module> {
-        let options = Options::from(naga::ShaderStage::Fragment);
-        let module = Frontend::default().parse(&options, &self.naga).ok()?;
-        validate(&module).then_some(module)
+fn nagas(text: &Text, frontend: &mut naga::front::glsl::Frontend) -> bool {
+    let options = naga::front::glsl::Options::from(naga::ShaderStage::Fragment);
+    match frontend.parse(&options, &text.naga) {
+        Ok(module) => validate(&module),
+        Err(_) => false,
     }
 }
 
 fn validate(module: &naga::Module) -> bool {
     let capabilities = Capabilities::default() | Capabilities::SHADER_FLOAT16_IN_FLOAT32;
-    let mut validator = Validator::new(ValidationFlags::all(), capabilities);
-    validator.validate(module).is_ok()
+    let valid = Validator::new(ValidationFlags::all(), capabilities).validate(module);
+    black_box(valid).is_ok()
 }
 
-fn interface() -> Interface {
-    Interface {
-        uniforms: ["iResolution", "iTime", "iMouse", "iFrame"]
-            .map(str::to_owned)
-            .into(),
-        ..Interface::default()
+/// The passes that both accept, among those that draw pictures.
+fn texts(paths: &[PathBuf]) -> Vec<Text> {
+    let scenes = paths.iter();
+    let scenes = scenes.filter_map(|path| scene::load(&Source::Path(path.clone())).ok());
+    let mut texts = Vec::new();
+    for scene in scenes {
+        let passes = scene.passes.iter();
+        let drawing =
+            passes.filter(|pass| matches!(pass.kind, PassKind::Image | PassKind::Buffer(_)));
+        texts.extend(drawing.map(|pass| Text::new(&scene, pass)));
+    }
+    texts.retain(|text| {
+        // naga's front end panics on some texts.
+        let naga = std::panic::AssertUnwindSafe(|| nagas(text, &mut Default::default()));
+        ours(text, &mut Default::default()) && std::panic::catch_unwind(naga).unwrap_or(false)
+    });
+    texts
+}
+
+fn corpus(list: &Path) {
+    std::panic::set_hook(Box::new(|_| {}));
+    let list = std::fs::read_to_string(list).expect("a list of scenes");
+    let paths: Vec<PathBuf> = list.lines().map(PathBuf::from).collect();
+    let texts = texts(&paths);
+    let bytes: usize = texts.iter().map(|text| text.naga.len()).sum();
+    println!(
+        "{} passes of {} scenes, {bytes} bytes",
+        texts.len(),
+        paths.len()
+    );
+    let (mut own, mut other, mut phases) = (Duration::MAX, Duration::MAX, Default::default());
+    for _ in 0..5 {
+        let mut times = [Duration::ZERO; 5];
+        let start = Instant::now();
+        for text in &texts {
+            black_box(ours(text, &mut times));
+        }
+        if start.elapsed() < own {
+            (own, phases) = (start.elapsed(), times);
+        }
+        let start = Instant::now();
+        for text in &texts {
+            black_box(nagas(text, &mut Default::default()));
+        }
+        other = other.min(start.elapsed());
+    }
+    println!("  ours {own:9.1?}, naga's {other:9.1?}");
+    println!(
+        "  ratio {:.2}",
+        other.as_secs_f64() / own.as_secs_f64().max(f64::MIN_POSITIVE)
+    );
+    for (phase, time) in PHASES.iter().zip(phases) {
+        println!("  {phase:10} {time:9.1?}");
     }
 }
 
-fn folder(path: &str) -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-    let mut paths: Vec<_> = std::fs::read_dir(root)
-        .expect("the folder is there")
-        .map(|entry| entry.expect("an entry").path())
-        .collect();
+fn own_shaders() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut paths = Vec::new();
+    for folder in ["shadertoy", "tests/seeds", "tests/glsl/accept"] {
+        let entries = std::fs::read_dir(root.join(folder)).into_iter().flatten();
+        paths.extend(entries.map(|entry| entry.expect("an entry").path()));
+    }
     paths.sort();
     paths
 }
 
-/// The texts of a scene's Image pass.
-fn texts(path: PathBuf) -> Option<Vec<String>> {
-    let scene = scene::load(&Source::Path(path)).ok()?;
-    let sources = scene.image().sources.iter();
-    Some(
-        sources
-            .map(|&file| scene.files.get(file).text.clone())
-            .collect(),
-    )
-}
-
-fn shaders() -> Vec<Shader> {
-    let listed = std::env::var_os("SHADERS").map_or(Vec::new(), |list| {
-        let list = std::fs::read_to_string(list).expect("the list can be read");
-        list.lines().map(PathBuf::from).collect()
-    });
-    let interface = interface();
-    let paths = folder("shadertoy")
-        .into_iter()
-        .chain(folder("tests/glsl/accept"))
-        .chain(listed);
-    paths
-        .filter_map(|path| Some(Shader::new(&texts(path)?)))
-        .filter(|shader| {
-            // Some texts make naga's front end panic.
-            let by_naga = std::panic::catch_unwind(|| shader.with_naga().is_some());
-            by_naga.unwrap_or(false) && shader.with_vitrine(&interface).is_some()
-        })
-        .collect()
-}
-
-fn translate(criterion: &mut Criterion) {
-    let shaders = shaders();
-    let interface = interface();
-    let bytes = shaders.iter().map(|shader| shader.naga.len() as u64).sum();
-    println!("{} shaders, {bytes} bytes", shaders.len());
-    let mut group = criterion.benchmark_group("translate");
-    group.throughput(Throughput::Bytes(bytes)).sample_size(20);
-    group.measurement_time(Duration::from_secs(10));
-    group.bench_function("vitrine", |bencher| {
+fn main() {
+    if let Some(list) = std::env::var_os("CORPUS_LIST") {
+        return corpus(Path::new(&list));
+    }
+    let texts = texts(&own_shaders());
+    let mut criterion = Criterion::default().configure_from_args();
+    let mut group = criterion.benchmark_group("text to validated module");
+    let bytes = texts.iter().map(|text| text.naga.len() as u64).sum();
+    group.throughput(Throughput::Bytes(bytes));
+    group.bench_function("ours", |bencher| {
         bencher.iter(|| {
-            let done = shaders
-                .iter()
-                .filter(|one| one.with_vitrine(&interface).is_some());
-            done.count()
+            let each = texts.iter();
+            each.filter(|text| ours(text, &mut Default::default()))
+                .count()
         });
     });
-    group.bench_function("naga", |bencher| {
+    group.bench_function("naga's", |bencher| {
         bencher.iter(|| {
-            shaders
-                .iter()
-                .filter(|one| one.with_naga().is_some())
+            let each = texts.iter();
+            each.filter(|text| nagas(text, &mut Default::default()))
                 .count()
         });
     });
     group.finish();
+    criterion.final_summary();
 }
-
-criterion_group!(benches, translate);
-criterion_main!(benches);

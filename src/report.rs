@@ -3,10 +3,13 @@
 use std::io::Write as _;
 
 use annotate_snippets::renderer::DEFAULT_TERM_WIDTH;
-use annotate_snippets::{Annotation, AnnotationKind, Level, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use serde::Serialize;
 
 use crate::source::{Diagnostic, Location, Report, Severity, Span};
+
+/// How many bytes of a line are laid out to show some of them.
+const LONGEST_LINE: usize = 10_000;
 
 /// Writes a line to standard error, with colours where it is a terminal. That nobody can read it any
 /// more is no reason to stop.
@@ -32,16 +35,16 @@ pub fn human(report: &Report) -> String {
         let title = level
             .primary_title(printable(&diagnostic.message))
             .id(diagnostic.code);
-        let mut group = annotate_snippets::Group::with_title(title);
+        let mut group = Group::with_title(title);
         if let Some(span) = diagnostic.span {
-            group = group.element(snippet(report, span));
+            group = place(group, report, span);
         }
         if let Some(hint) = &diagnostic.hint {
             group = group.element(Level::HELP.message(printable(hint)));
         }
         let notes = diagnostic.notes.iter().map(|(span, note)| {
             let title = Level::NOTE.secondary_title(printable(note));
-            annotate_snippets::Group::with_title(title).element(snippet(report, *span))
+            place(Group::with_title(title), report, *span)
         });
         let groups: Vec<_> = std::iter::once(group).chain(notes).collect();
         text.push_str(&renderer.render(&groups));
@@ -50,14 +53,21 @@ pub fn human(report: &Report) -> String {
     text
 }
 
-/// The line that a place is on, with a mark below the place.
-fn snippet(report: &Report, span: Span) -> Snippet<'_, Annotation<'_>> {
+/// Adds the line that a place is on, with a mark below the place.
+fn place<'a>(group: Group<'a>, report: &'a Report, span: Span) -> Group<'a> {
     let file = report.files.get(span.file);
+    let path = printable(&file.name);
     let excerpt = Excerpt::around(&file.text, span.start as usize, span.end as usize);
-    Snippet::source(excerpt.text)
+    if excerpt.mark.start > LONGEST_LINE {
+        // The line would be laid out as a whole before the part to show is cut out.
+        let location = file.location(span.start);
+        let origin = Origin::path(path).line(location.line);
+        return group.element(origin.char_column(location.column));
+    }
+    let snippet = Snippet::source(excerpt.text)
         .line_start(file.location(excerpt.offset as u32).line)
-        .path(printable(&file.name))
-        .annotation(AnnotationKind::Primary.span(excerpt.mark))
+        .path(path);
+    group.element(snippet.annotation(AnnotationKind::Primary.span(excerpt.mark)))
 }
 
 /// Replaces what a terminal would obey.
@@ -75,7 +85,8 @@ struct Excerpt<'a> {
 }
 
 impl<'a> Excerpt<'a> {
-    /// The lines that `start..end` touches; of a long range only the first.
+    /// The lines that `start..end` touches; of a long range only the first, of a long line only what
+    /// can be shown.
     fn around(file: &'a str, start: usize, end: usize) -> Self {
         let boundary = |mut at: usize| {
             at = at.min(file.len());
@@ -88,6 +99,7 @@ impl<'a> Excerpt<'a> {
         let offset = file[..start].rfind('\n').map_or(0, |newline| newline + 1);
         let line_end = file[start..].find('\n').map_or(file.len(), |n| start + n);
         let line_end = start.max(file[..line_end].trim_end_matches('\r').len());
+        let line_end = boundary(line_end.min(start + LONGEST_LINE));
         end = end.min(line_end);
         Excerpt {
             text: &file[offset..line_end],

@@ -5,7 +5,7 @@ use super::arena::{Arena, Id, Pool, Range};
 use super::builtins::Builtin;
 use super::names::{Name, Names};
 pub use super::syntax::ast::{BinaryOp, Extent, TokenIndex};
-use super::types::{Struct, Type};
+use super::types::{Content, Struct, Type};
 
 /// A whole program.
 #[derive(Clone, Debug, Default)]
@@ -334,18 +334,5 @@ impl Hir {
 
 /// The number of [`Value`]s that a value of a type consists of; samplers count as none.
 pub fn value_count(structs: &Arena<Struct>, ty: Type) -> u32 {
-    use super::types::Base;
-    let one = match ty.base {
-        Base::Void | Base::Sampler(_) => 0,
-        Base::Scalar(_) => 1,
-        Base::Vector(_, size) => u32::from(size),
-        Base::Matrix { columns, rows } => u32::from(columns) * u32::from(rows),
-        Base::Struct(id) => {
-            let fields = structs[id].fields.iter();
-            fields.fold(0, |sum: u32, field| {
-                sum.saturating_add(value_count(structs, field.ty))
-            })
-        }
-    };
-    one.saturating_mul(ty.array.map_or(1, std::num::NonZeroU32::get))
+    Content::of(ty, structs).values
 }

@@ -10,6 +10,7 @@
 pub mod arena;
 pub mod builtins;
 pub mod check;
+pub mod double;
 pub mod finite;
 pub mod fold;
 pub mod hir;

@@ -4,11 +4,11 @@
 use rustc_hash::FxHashSet;
 
 use super::arena::Id;
+use super::builtins::Builtin;
+use super::double;
 use super::hir::{
     Direction, Expr, ExprKind, Function, Global, GlobalKind, Hir, Loop, Stmt, StmtKind, Switch,
 };
-
-use super::builtins::Builtin;
 
 /// What is needed of a program.
 #[derive(Clone, Debug, Default)]
@@ -24,16 +24,16 @@ pub struct Reachable {
 }
 
 impl Reachable {
-    /// What `main` needs.
+    /// What `main` needs, if some functions stand for built-in ones.
     ///
     /// # Panics
     /// When the program has no `main`.
-    pub fn new(hir: &Hir) -> Self {
+    pub fn new(hir: &Hir, built_in: &double::Functions) -> Self {
         let main = hir.main.expect("a checked program has a main");
-        let mut search = Search::new(hir);
+        let mut search = Search::new(hir, built_in);
         if let Some(initialisers) = hir.initialisers {
             // Its calls may do anything, so it is needed whole or not at all.
-            let mut before = Search::new(hir);
+            let mut before = Search::new(hir, built_in);
             before.add(initialisers);
             search.add(main);
             if before.written.iter().any(|id| search.used.contains(id)) {
@@ -50,6 +50,7 @@ impl Reachable {
 
 struct Search<'a> {
     hir: &'a Hir,
+    built_in: &'a double::Functions,
     seen: FxHashSet<Id<Function>>,
     functions: Vec<Id<Function>>,
     used: FxHashSet<Id<Global>>,
@@ -58,9 +59,10 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(hir: &'a Hir) -> Self {
+    fn new(hir: &'a Hir, built_in: &'a double::Functions) -> Self {
         Search {
             hir,
+            built_in,
             seen: FxHashSet::default(),
             functions: Vec::new(),
             used: FxHashSet::default(),
@@ -114,8 +116,12 @@ impl<'a> Search<'a> {
                         }
                     }
                 }
-                ExprKind::Builtin(Builtin::Modf, operands) => {
-                    self.write(function, function.operands.get(operands)[1]);
+                ExprKind::Builtin(builtin, operands) => {
+                    let operands = function.operands.get(operands);
+                    if builtin == Builtin::Modf {
+                        self.write(function, operands[1]);
+                    }
+                    callees.extend(self.built_in.get(builtin, operands.len()));
                 }
                 _ => {}
             }

@@ -80,6 +80,50 @@ pub struct Struct {
     pub name: Option<Name>,
     /// Its members in order.
     pub fields: Vec<Field>,
+    /// What its values consist of.
+    pub content: Content,
+}
+
+/// What a value consists of, structures seen through. It is kept with every structure: to find it
+/// anew would take time that doubles with each level of structures within structures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Content {
+    /// The scalars; samplers count as none.
+    pub values: u32,
+    /// The members that are no structures, where an array counts as one element.
+    pub members: u32,
+    /// How many structures stand within each other.
+    pub depth: u32,
+    /// Whether there is a sampler.
+    pub has_sampler: bool,
+    /// Whether there is an array.
+    pub has_array: bool,
+}
+
+impl Content {
+    /// What a value of a type consists of.
+    pub fn of(ty: Type, structs: &Arena<Struct>) -> Content {
+        let one = match ty.base {
+            Base::Struct(id) => structs[id].content,
+            base => Content {
+                values: match base {
+                    Base::Scalar(_) => 1,
+                    Base::Vector(_, size) => size.into(),
+                    Base::Matrix { columns, rows } => u32::from(columns) * u32::from(rows),
+                    _ => 0,
+                },
+                members: 1,
+                has_sampler: matches!(base, Base::Sampler(_)),
+                ..Content::default()
+            },
+        };
+        let length = ty.array.map_or(1, NonZeroU32::get);
+        Content {
+            values: one.values.saturating_mul(length),
+            has_array: one.has_array || ty.is_array(),
+            ..one
+        }
+    }
 }
 
 /// A member of a structure.
@@ -188,6 +232,26 @@ impl Type {
 }
 
 impl Struct {
+    /// A structure of these members.
+    pub fn new(name: Option<Name>, fields: Vec<Field>, structs: &Arena<Struct>) -> Self {
+        let members = fields.iter().map(|field| Content::of(field.ty, structs));
+        let content = members.fold(Content::default(), |all, one| Content {
+            values: all.values.saturating_add(one.values),
+            members: all.members.saturating_add(one.members),
+            depth: all.depth.max(one.depth),
+            has_sampler: all.has_sampler || one.has_sampler,
+            has_array: all.has_array || one.has_array,
+        });
+        Struct {
+            name,
+            fields,
+            content: Content {
+                depth: content.depth + 1,
+                ..content
+            },
+        }
+    }
+
     /// The member of this name.
     pub fn field(&self, name: Name) -> Option<(u32, &Field)> {
         let index = self.fields.iter().position(|field| field.name == name)?;
@@ -359,14 +423,9 @@ mod tests {
     fn types_are_spelled_as_written() {
         let mut names = Names::default();
         let mut structs = Arena::default();
-        let named = structs.add(Struct {
-            name: Some(names.intern("Ray")),
-            fields: Vec::new(),
-        });
-        let anonymous = structs.add(Struct {
-            name: None,
-            fields: Vec::new(),
-        });
+        let ray = Struct::new(Some(names.intern("Ray")), Vec::new(), &structs);
+        let named = structs.add(ray);
+        let anonymous = structs.add(Struct::new(None, Vec::new(), &Arena::default()));
         for (ty, expected) in [
             (Type::FLOAT, "float"),
             (Type::FLOAT.array_of(3), "float[3]"),

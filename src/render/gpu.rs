@@ -58,6 +58,12 @@ pub enum GpuError {
         /// The largest width and height.
         limit: u32,
     },
+    /// A program in double precision, on a device without 64-bit floats.
+    #[error("the adapter `{adapter}` cannot compute in double precision")]
+    NoFloat64 {
+        /// The adapter's name.
+        adapter: String,
+    },
     /// Memory ran out, on the device or for it.
     #[error("out of memory while {doing}")]
     OutOfMemory {
@@ -93,6 +99,9 @@ impl GpuError {
                 "update the driver, or choose another adapter with `--adapter`"
             }
             GpuError::Size { .. } => "choose a size within these limits with `--size WxH`",
+            GpuError::NoFloat64 { .. } => {
+                "`vitrine doctor` lists which adapters have 64-bit floats; `--adapter` chooses one"
+            }
             GpuError::OutOfMemory { .. } => {
                 "choose a smaller `--size`, close other programs, or try `--adapter cpu`"
             }
@@ -137,7 +146,8 @@ impl Gpu {
         let info = adapter.get_info();
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("vitrine"),
-            required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
+            required_features: adapter.features()
+                & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::SHADER_F64),
             required_limits: adapter.limits(),
             ..Default::default()
         };
@@ -187,6 +197,11 @@ impl Gpu {
         self.device
             .features()
             .contains(wgpu::Features::TIMESTAMP_QUERY)
+    }
+
+    /// Whether shaders can compute in 64-bit floats.
+    pub fn has_float64(&self) -> bool {
+        self.device.features().contains(wgpu::Features::SHADER_F64)
     }
 
     /// Fails with the first error that has turned up outside of any call.

@@ -33,6 +33,10 @@ pub(super) struct GpuPass {
 impl GpuPass {
     pub fn new(gpu: &Gpu, pass: &Pass, program: &Program) -> Result<Self, GpuError> {
         let device = gpu.device();
+        if program.is_double() && !gpu.has_float64() {
+            let adapter = gpu.describe();
+            return Err(GpuError::NoFloat64 { adapter });
+        }
         let layout = layout(program);
         let uniforms = program
             .uniforms

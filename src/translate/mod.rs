@@ -24,9 +24,13 @@ use crate::glsl::lower::{self, lower};
 use crate::glsl::places::Places;
 use crate::glsl::preprocess::{self, preprocess};
 use crate::glsl::prune::Reachable;
-use crate::glsl::{Precision, finite, hir, syntax};
+use crate::glsl::{Precision, double, finite, hir, syntax};
 use crate::scene::{CHANNELS, Pass, Scene};
 use crate::source::{Diagnostic, FileId, Report, Severity, SourceMap, Span};
+
+/// How many functions a pass may need. What naga takes to find the unused ones grows with the square
+/// of it.
+const MAX_FUNCTIONS: usize = 20_000;
 
 /// How to translate.
 #[derive(Clone, Debug, Default)]
@@ -109,20 +113,24 @@ fn translate_text(
         .map(|&source| &*files.get(source).text)
         .collect();
     let text = preamble::preamble(pass, &texts);
-    let own = files.add("preamble", text);
+    let preamble = files.add("preamble", text);
+    let functions = (options.precision == Precision::Double)
+        .then(|| files.add("functions of 64 bits", double::TEXT));
     let text = Text {
         files: &files,
-        preamble: own,
+        preamble,
+        functions,
         pass,
     };
     text.translate(options)
         .map_err(|found| text.in_authors_files(found))
 }
 
-/// A pass's texts behind their preamble.
+/// A pass's texts behind their preamble, and that behind the functions which drivers lack.
 struct Text<'a> {
     files: &'a SourceMap,
     preamble: FileId,
+    functions: Option<FileId>,
     pass: &'a Pass,
 }
 
@@ -141,7 +149,13 @@ impl Text<'_> {
         );
         let mut diagnostics = preprocessed.diagnostics;
         fail_on_errors(&mut diagnostics)?;
-        let tokens = &preprocessed.tokens;
+        // They are none of the author's macros' business, and so a text of their own.
+        let functions: Vec<_> = self.functions.into_iter().collect();
+        let functions = preprocess(self.files, &functions, &preprocess::Options::default());
+        let host_tokens = functions.tokens.len();
+        let mut tokens = preprocessed.tokens;
+        tokens.splice(0..0, functions.tokens);
+        let tokens = &tokens;
         let parsed = syntax::parse(tokens, options.strict);
         diagnostics.extend(parsed.diagnostics);
         if let Some(odd) = preprocessed.odd_character {
@@ -157,11 +171,14 @@ impl Text<'_> {
         let check_options = check::Options {
             strict: options.strict,
             precision: options.precision,
+            host_tokens,
         };
-        let mut checked = check(&mut ast, Places::new(tokens), check_options);
+        let checked = check(&mut ast, Places::new(tokens), check_options);
         diagnostics.extend(checked.diagnostics);
         fail_on_errors(&mut diagnostics)?;
-        let program = self.lower(&mut checked.hir, tokens, options)?;
+        // The larger the text, the more it matters that not all its forms are kept at once.
+        drop(ast);
+        let program = self.lower(checked.hir, tokens, options)?;
         diagnostics.extend(self.unbound_channels(&program, tokens));
         let unused = preprocessed.unused_overrides;
         Ok(Program {
@@ -177,27 +194,36 @@ impl Text<'_> {
     /// is a fault of this program.
     fn lower(
         &self,
-        hir: &mut hir::Hir,
+        mut hir: hir::Hir,
         tokens: &[preprocess::Token<'_>],
         options: &Options,
     ) -> Result<Program, Vec<Diagnostic>> {
-        finite::mark_finite_loops(hir);
-        let reachable = Reachable::new(hir);
+        finite::mark_finite_loops(&mut hir);
+        let double_functions = double::Functions::new(&hir);
+        let reachable = Reachable::new(&hir, &double_functions);
+        if reachable.functions.len() > MAX_FUNCTIONS {
+            let last = reachable.functions.last().map(|&id| hir.functions[id].at);
+            let at = Places::new(tokens).span(hir::Extent::of(last.unwrap_or(0)));
+            return Err(vec![refusal::too_many_functions(MAX_FUNCTIONS).at(at)]);
+        }
         let interface = bindings::interface();
         let lowered = lower(
-            hir,
+            &hir,
             &reachable,
             &lower::Options {
                 precision: options.precision,
                 interface: &interface,
-                double_functions: Default::default(),
+                double_functions: &double_functions,
             },
         );
-        let functions = self.functions(hir, &reachable, tokens);
         let places = Places::new(tokens);
+        if let Some(excess) = lowered.excess {
+            return Err(vec![refusal::excess(excess, places)]);
+        }
+        let functions = self.functions(&hir, &reachable, tokens);
         let in_own_files = |extents: &[hir::Extent]| -> Vec<Span> {
             let spans = extents.iter().filter_map(|&extent| places.span(extent));
-            let mut own: Vec<Span> = spans.filter(|span| span.file != self.preamble).collect();
+            let mut own: Vec<Span> = spans.filter(|span| self.is_authors(span)).collect();
             // What stands before each `continue` anew is one place.
             own.sort_by_key(|span| (span.file, span.start, span.end));
             own.dedup();
@@ -208,10 +234,20 @@ impl Text<'_> {
             accesses: in_own_files(&lowered.unguarded.accesses),
             divisions: in_own_files(&lowered.unguarded.divisions),
         };
+        drop(hir);
         let internal = |message: &str| vec![refusal::internal(message).at(self.end())];
-        let program = Program::new(self.pass.kind, lowered, functions, guards)
-            .map_err(|message| internal(&message))?;
-        write::spirv(&program).map_err(|message| internal(&message))?;
+        let program = Program::new(
+            self.pass.kind,
+            options.precision,
+            lowered,
+            functions,
+            guards,
+        )
+        .map_err(|message| internal(&message))?;
+        // What validates can be written: this is for whoever changes that by mistake.
+        if cfg!(debug_assertions) {
+            write::spirv(&program).map_err(|message| internal(&message))?;
+        }
         Ok(program)
     }
 
@@ -225,7 +261,7 @@ impl Text<'_> {
         let names = |is_used: bool| {
             let own = hir.functions.iter().filter(|(id, function)| {
                 let place = tokens.get(function.at as usize);
-                let is_own = place.is_some_and(|token| token.span.file != self.preamble);
+                let is_own = place.is_some_and(|token| self.is_authors(&token.span));
                 is_own && reachable.functions.contains(id) == is_used
             });
             own.map(|(_, function)| hir.names.text(function.name).to_owned())
@@ -249,17 +285,19 @@ impl Text<'_> {
         }
     }
 
+    /// Whether a place lies in what the author wrote.
+    fn is_authors(&self, span: &Span) -> bool {
+        span.file != self.preamble && Some(span.file) != self.functions
+    }
+
     fn own_file(&self) -> FileId {
         *self.pass.sources.last().expect("a pass has a text")
     }
 
     /// Moves what points into the preamble to where the author can do something about it.
     fn in_authors_files(&self, found: Vec<Diagnostic>) -> Vec<Diagnostic> {
-        let is_foreign = |diagnostic: &Diagnostic| {
-            diagnostic
-                .span
-                .is_none_or(|span| span.file == self.preamble)
-        };
+        let is_foreign =
+            |diagnostic: &Diagnostic| diagnostic.span.is_none_or(|span| !self.is_authors(&span));
         let (foreign, mut own): (Vec<_>, Vec<_>) = found.into_iter().partition(is_foreign);
         for diagnostic in &mut own {
             if diagnostic.code == "redeclared" && self.written(diagnostic.span) == "main" {
@@ -267,9 +305,7 @@ impl Text<'_> {
                     "ShaderToy code has an entry point of its own instead; the host brings `main`";
                 diagnostic.hint = Some(hint.to_owned());
             }
-            diagnostic
-                .notes
-                .retain(|(span, _)| span.file != self.preamble);
+            diagnostic.notes.retain(|(span, _)| self.is_authors(span));
         }
         for diagnostic in foreign {
             let diagnostic = match diagnostic.code {
@@ -312,9 +348,7 @@ impl Text<'_> {
             .filter(is_unbound)
             .map(|channel| {
                 let name = bindings::channel_name(channel);
-                let own = tokens
-                    .iter()
-                    .filter(|token| token.span.file != self.preamble);
+                let own = tokens.iter().filter(|token| self.is_authors(&token.span));
                 let place = own.into_iter().find(|token| token.is(name));
                 Diagnostic::warning(
                     "unbound-channel",

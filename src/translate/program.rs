@@ -5,6 +5,7 @@ use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{Expression, Function, GlobalVariable, Handle, Module, TypeInner};
 
 use super::bindings::{self, Uniform};
+use crate::glsl::Precision;
 use crate::glsl::lower::Lowered;
 pub use crate::glsl::lower::Tables;
 use crate::scene::{CHANNELS, PassKind};
@@ -15,6 +16,8 @@ use crate::source::{Diagnostic, Span};
 pub struct Program {
     /// Which pass this is.
     pub kind: PassKind,
+    /// What it computes in. Not every device can do so in double precision.
+    pub precision: Precision,
     /// The validated module. Its one entry point is the fragment shader [`Program::ENTRY_POINT`].
     pub module: Module,
     /// The validator's findings about `module`.
@@ -79,6 +82,11 @@ impl Program {
     /// The name of the entry point in [`Program::module`].
     pub const ENTRY_POINT: &'static str = "main";
 
+    /// Whether it needs a device that computes in 64-bit floats.
+    pub fn is_double(&self) -> bool {
+        self.precision == Precision::Double
+    }
+
     /// Whether the pass reads this uniform.
     pub fn reads(&self, uniform: Uniform) -> bool {
         self.uniforms
@@ -89,15 +97,17 @@ impl Program {
     /// Validates a lowered pass and keeps what its entry point needs.
     pub(super) fn new(
         kind: PassKind,
+        precision: Precision,
         lowered: Lowered,
         functions: Functions,
         guards: Guards,
     ) -> Result<Self, String> {
         let mut module = lowered.module;
         naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
-        let info = validate(&module)?;
+        let info = validate(&module, precision)?;
         let mut program = Program {
             kind,
+            precision,
             uniforms: None,
             channels: [ChannelUse::default(); CHANNELS],
             tables: lowered.tables,
@@ -176,9 +186,10 @@ fn functions(module: &Module) -> impl Iterator<Item = &Function> {
 }
 
 /// Runs naga's validator with the capabilities that every device here is asked for.
-fn validate(module: &Module) -> Result<ModuleInfo, String> {
+fn validate(module: &Module, precision: Precision) -> Result<ModuleInfo, String> {
     // Halves in 32 bits are what `packHalf2x16` makes; every device has them.
-    let capabilities = Capabilities::default() | Capabilities::SHADER_FLOAT16_IN_FLOAT32;
+    let mut capabilities = Capabilities::default() | Capabilities::SHADER_FLOAT16_IN_FLOAT32;
+    capabilities.set(Capabilities::FLOAT64, precision == Precision::Double);
     Validator::new(ValidationFlags::all(), capabilities)
         .validate(module)
         .map_err(|error| {

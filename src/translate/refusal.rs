@@ -1,6 +1,8 @@
 //! What is wrong with a pass as a whole.
 
 use super::preamble;
+use crate::glsl::lower::{Excess, MAX_BLOCKS, MAX_OPERATIONS};
+use crate::glsl::places::Places;
 use crate::scene::PassKind;
 use crate::source::Diagnostic;
 
@@ -32,6 +34,31 @@ pub(super) fn no_entry_point(kind: PassKind, text: &str) -> Diagnostic {
 /// The names in a text, comments not excepted.
 fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
+}
+
+/// A text of which more becomes than graphics libraries bear.
+pub(super) fn excess(excess: Excess, places: Places<'_, '_>) -> Diagnostic {
+    let (diagnostic, at) = match excess {
+        Excess::Depth(at) => {
+            let message = format!("statements are nested more than {MAX_BLOCKS} deep before this");
+            let diagnostic = Diagnostic::error("too-deep", message);
+            let hint = "move part of them into a function; choices of `?:`, `&&` and `||` count";
+            (diagnostic.hint(hint), at)
+        }
+        Excess::Size(at) => {
+            let message = format!("the program has more than {MAX_OPERATIONS} operations");
+            let diagnostic = Diagnostic::error("too-complex", message);
+            let hint = "use loops and functions; values of large structures count by their members";
+            (diagnostic.hint(hint), at)
+        }
+    };
+    places.point(diagnostic, at)
+}
+
+/// A text that needs more functions than can be handled in time.
+pub(super) fn too_many_functions(limit: usize) -> Diagnostic {
+    let message = format!("more than {limit} functions are called");
+    Diagnostic::error("too-complex", message).hint("join some, or use loops")
 }
 
 /// A fault of this program, not of the author's.

@@ -5,7 +5,7 @@ use vitrine::glsl::lower::{self, Interface, Lowered, lower, verify::verify};
 use vitrine::glsl::places::Places;
 use vitrine::glsl::preprocess::{self, preprocess};
 use vitrine::glsl::prune::Reachable;
-use vitrine::glsl::{Precision, finite, syntax};
+use vitrine::glsl::{Precision, double, finite, syntax};
 use vitrine::source::{Diagnostic, SourceMap};
 
 /// The bind group of everything.
@@ -43,13 +43,18 @@ pub fn compile(text: &str, uniforms: Vec<String>) -> Result<Lowered, Refusal> {
     let mut parsed = syntax::parse(tokens, strict);
     found.append(&mut parsed.diagnostics);
     require_none(&files, &found)?;
-    let options = check::Options { strict, precision };
+    let options = check::Options {
+        strict,
+        precision,
+        ..Default::default()
+    };
     let mut checked = check(&mut parsed.ast, Places::new(tokens), options);
     found.append(&mut checked.diagnostics);
     require_none(&files, &found)?;
 
     finite::mark_finite_loops(&mut checked.hir);
-    let reachable = Reachable::new(&checked.hir);
+    let double_functions = double::Functions::default();
+    let reachable = Reachable::new(&checked.hir, &double_functions);
     let options = lower::Options {
         precision,
         interface: &Interface {
@@ -59,7 +64,7 @@ pub fn compile(text: &str, uniforms: Vec<String>) -> Result<Lowered, Refusal> {
             samplers: Vec::new(),
             tables: TABLES,
         },
-        double_functions: Default::default(),
+        double_functions: &double_functions,
     };
     let lowered = lower(&checked.hir, &reachable, &options);
     verify(&lowered.module).map_err(|fault| Refusal::Internal(fault.to_string()))?;

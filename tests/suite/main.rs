@@ -31,6 +31,10 @@ mod clock;
 #[cfg(feature = "gpu")]
 mod colours;
 #[cfg(feature = "gpu")]
+mod double;
+#[cfg(feature = "gpu")]
+mod double_functions;
+#[cfg(feature = "gpu")]
 mod export;
 #[cfg(feature = "gpu")]
 mod glsl_accept;

@@ -96,9 +96,8 @@ impl Checker<'_> {
         };
         let message = format!("`{}` is a name of GLSL ES 1.00", self.text(name));
         let hint = format!("its name is `{}` now", builtin.name());
-        let before = self.diagnostics.len();
         self.refused_by_webgl("old-texture-name", message, Extent::of(expr.at), &hint);
-        if self.options.strict && self.diagnostics.len() > before {
+        if self.options.strict {
             return None;
         }
         self.finish_builtin(builtin, result, arguments, expr)
@@ -198,8 +197,11 @@ impl Checker<'_> {
     /// Reports a call that no function takes.
     fn no_overload(&mut self, name: Name, types: &[Type], extent: Extent) {
         let spelled = self.text(name).to_owned();
+        if self.has_enough_errors() {
+            return self.error("wrong-arguments", spelled, extent);
+        }
         let given: Vec<String> = types.iter().map(|&ty| self.spell(ty)).collect();
-        let candidates = self.candidates(name);
+        let (candidates, count) = self.candidates(name);
         if candidates.is_empty() {
             let message = format!("there is no function `{spelled}`");
             let hint = match (hint_for(&spelled), self.similar_function(name)) {
@@ -213,23 +215,23 @@ impl Checker<'_> {
             return;
         }
         let message = format!("no function `{spelled}` takes ({})", given.join(", "));
-        let mut hint = format!(
-            "there is {}",
-            candidates[..candidates.len().min(6)].join(", ")
-        );
-        if candidates.len() > 6 {
-            hint += &format!(" and {} more", candidates.len() - 6);
+        let mut hint = format!("there is {}", candidates.join(", "));
+        if count > candidates.len() {
+            hint += &format!(" and {} more", count - candidates.len());
         }
         self.error_with_hint("wrong-arguments", message, extent, hint);
     }
 
-    /// Every function of a name, as the author would declare it.
-    fn candidates(&self, name: Name) -> Vec<String> {
+    /// The first functions of a name, as the author would declare them, and how many there are.
+    fn candidates(&self, name: Name) -> (Vec<String>, usize) {
+        const SHOWN: usize = 6;
         let own = self.signatures.iter().filter(|one| one.name == name);
-        let own = own.map(|one| format!("`{}`", self.spell_signature(one)));
         let builtin = Builtin::find(self.text(name));
-        let builtin = builtin.into_iter().flat_map(Builtin::signatures);
-        own.chain(builtin.map(|text| format!("`{text}`"))).collect()
+        let builtin: Vec<_> = builtin.into_iter().flat_map(Builtin::signatures).collect();
+        let count = own.clone().count() + builtin.len();
+        let own = own.map(|one| format!("`{}`", self.spell_signature(one)));
+        let builtin = builtin.iter().map(|text| format!("`{text}`"));
+        (own.chain(builtin).take(SHOWN).collect(), count)
     }
 }
 

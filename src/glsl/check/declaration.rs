@@ -450,18 +450,19 @@ impl Checker<'_> {
 
     pub(super) fn redeclared(&mut self, name: Name, at: Extent) {
         let message = format!("`{}` is already declared in this scope", self.text(name));
-        let mut diagnostic = self
-            .places
-            .point(Diagnostic::error("redeclared", message), at);
+        let mut diagnostic = Diagnostic::error("redeclared", message);
         let first = self.scopes.declared_at(name);
         if let Some(span) = first.and_then(|first| self.places.span(Extent::of(first))) {
             diagnostic = diagnostic.note(span, "it is declared here first");
         }
-        self.diagnostics.push(diagnostic);
+        self.report(diagnostic, at);
     }
 
     /// Reports names that are reserved, §3.8.
     pub(super) fn check_name(&mut self, name: Name, at: Extent) {
+        if (at.first as usize) < self.options.host_tokens {
+            return;
+        }
         let text = self.text(name);
         let reserved = ["gl_", "webgl_", "_webgl_"];
         let message = if let Some(prefix) = reserved.iter().find(|&&one| text.starts_with(one)) {

@@ -160,10 +160,8 @@ impl Checker<'_> {
                     name: self.hir.names.intern(member),
                     ty: Type::FLOAT,
                 });
-                self.hir.structs.add(Struct {
-                    name: Some(name),
-                    fields: fields.into(),
-                })
+                let structure = Struct::new(Some(name), fields.into(), &self.hir.structs);
+                self.hir.structs.add(structure)
             }
         };
         let values = members.map(|(_, value)| Value::Float(value));

@@ -19,6 +19,9 @@ const MAX_PARAMETERS: usize = 255;
 /// How deep WebGL2 lets calls go.
 const MAX_CALL_DEPTH: u32 = 256;
 
+/// How many functions of a circle of calls are named.
+const LONGEST_CHAIN: usize = 8;
+
 /// A function as its declarations have it.
 #[derive(Clone, Debug)]
 pub(super) struct Signature {
@@ -429,11 +432,12 @@ impl Checker<'_> {
     fn recursion(&mut self, caller: usize, callee: usize, stack: &[(usize, usize)]) {
         let name = |index: usize| self.text(self.signatures[index].name);
         let begin = stack.iter().position(|&(function, _)| function == callee);
-        let chain: Vec<&str> = stack[begin.unwrap_or(0)..]
-            .iter()
-            .map(|&(function, _)| name(function))
-            .chain([name(callee)])
-            .collect();
+        let chain = stack[begin.unwrap_or(0)..].iter().map(|&(one, _)| one);
+        let mut chain: Vec<&str> = match chain.len() {
+            ..=LONGEST_CHAIN => chain.map(name).collect(),
+            _ => chain.take(LONGEST_CHAIN).map(name).chain(["…"]).collect(),
+        };
+        chain.push(name(callee));
         let message = match chain.len() {
             2 => format!("the function `{}` calls itself", name(callee)),
             _ => format!(

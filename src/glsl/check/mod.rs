@@ -24,18 +24,21 @@ mod suggestion;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::Precision;
-use super::arena::{Arena, Id, Pool};
+use super::arena::{Id, Pool};
 use super::builtins::Builtin;
 use super::fold;
 use super::hir::{self, Constant, ExprKind, Hir, Value};
 use super::names::Name;
 use super::places::Places;
 use super::syntax::ast::{self, Ast, Extent};
-use super::types::{Base, Struct, Type, spell};
+use super::types::{Base, Content, Type, spell};
 use crate::source::Diagnostic;
 use flow::Flow;
 use function::Signature;
 use scope::Scopes;
+
+/// More errors or warnings than this are no help.
+const MOST: usize = 100;
 
 /// How to judge.
 #[derive(Clone, Copy, Debug, Default)]
@@ -44,6 +47,8 @@ pub struct Options {
     pub strict: bool,
     /// What constants are computed in.
     pub precision: Precision,
+    /// How many of the tokens, from the first, are the host's, which may declare reserved names.
+    pub host_tokens: usize,
 }
 
 /// The outcome of checking.
@@ -69,6 +74,8 @@ pub fn check(ast: &mut Ast, places: Places<'_, '_>, options: Options) -> Checked
             ..Hir::default()
         },
         diagnostics: Vec::new(),
+        errors: 0,
+        warnings: 0,
         function: function::empty(),
         details: Vec::new(),
         named: FxHashSet::default(),
@@ -103,6 +110,9 @@ struct Checker<'a> {
     options: Options,
     hir: Hir,
     diagnostics: Vec<Diagnostic>,
+    /// How many errors were found, and how many warnings, those not reported included.
+    errors: usize,
+    warnings: usize,
     /// What each name means as a built-in function, as far as it was asked.
     builtins: Vec<Option<Option<Builtin>>>,
     scopes: Scopes,
@@ -184,7 +194,24 @@ impl<'a> Checker<'a> {
     /// Reports an error.
     fn error(&mut self, code: &'static str, message: impl Into<String>, extent: Extent) {
         let diagnostic = Diagnostic::error(code, message);
-        self.diagnostics.push(self.places.point(diagnostic, extent));
+        self.report(diagnostic, extent);
+    }
+
+    /// Reports a diagnostic, unless there are enough of its kind.
+    fn report(&mut self, diagnostic: Diagnostic, extent: Extent) {
+        let count = match diagnostic.is_error() {
+            true => &mut self.errors,
+            false => &mut self.warnings,
+        };
+        *count += 1;
+        if *count <= MOST {
+            self.diagnostics.push(self.places.point(diagnostic, extent));
+        }
+    }
+
+    /// Whether another error would not be reported, so that no effort needs to be made for it.
+    fn has_enough_errors(&self) -> bool {
+        self.errors >= MOST
     }
 
     /// Reports an error with a way out.
@@ -196,7 +223,7 @@ impl<'a> Checker<'a> {
         hint: impl Into<String>,
     ) {
         let diagnostic = Diagnostic::error(code, message).hint(hint);
-        self.diagnostics.push(self.places.point(diagnostic, extent));
+        self.report(diagnostic, extent);
     }
 
     /// Reports something that runs but deserves a look.
@@ -208,7 +235,7 @@ impl<'a> Checker<'a> {
         hint: impl Into<String>,
     ) {
         let diagnostic = Diagnostic::warning(code, message).hint(hint);
-        self.diagnostics.push(self.places.point(diagnostic, extent));
+        self.report(diagnostic, extent);
     }
 
     /// Reports what WebGL2 refuses although its meaning is clear.
@@ -224,7 +251,7 @@ impl<'a> Checker<'a> {
         } else {
             Diagnostic::warning(code, format!("WebGL2 refuses this: {message}")).hint(hint)
         };
-        self.diagnostics.push(self.places.point(diagnostic, extent));
+        self.report(diagnostic, extent);
     }
 
     /// A type as the author would write it.
@@ -339,32 +366,12 @@ impl<'a> Checker<'a> {
 
     /// Whether a sampler is or is in a value of this type.
     fn holds_sampler(&self, ty: Type) -> bool {
-        any_leaf(&self.hir.structs, ty, &|leaf| {
-            matches!(leaf.base, Base::Sampler(_))
-        })
+        Content::of(ty, &self.hir.structs).has_sampler
     }
 
     /// Whether it is, or is a structure with, an array.
     fn holds_array(&self, ty: Type) -> bool {
-        ty.is_array()
-            || match ty.base {
-                Base::Struct(id) => {
-                    let fields = &self.hir.structs[id].fields;
-                    fields.iter().any(|field| self.holds_array(field.ty))
-                }
-                _ => false,
-            }
-    }
-}
-
-/// Whether a type consists of something, structures seen through.
-fn any_leaf(structs: &Arena<Struct>, ty: Type, test: &impl Fn(Type) -> bool) -> bool {
-    match ty.base {
-        Base::Struct(id) => {
-            let mut fields = structs[id].fields.iter();
-            fields.any(|field| any_leaf(structs, field.ty, test))
-        }
-        _ => test(ty),
+        Content::of(ty, &self.hir.structs).has_array
     }
 }
 

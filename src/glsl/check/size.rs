@@ -3,7 +3,7 @@
 use super::Checker;
 use crate::glsl::hir::GlobalKind;
 use crate::glsl::syntax::ast::Extent;
-use crate::glsl::types::{Base, Type};
+use crate::glsl::types::Type;
 
 /// A variable must have fewer bytes than this; components count four each.
 const MAX_VARIABLE: u64 = 64 << 10;
@@ -18,23 +18,9 @@ const MAX_COMPONENTS: u64 = 1 << 24;
 const MAX_HEIGHT: u32 = 256;
 
 impl Checker<'_> {
-    fn components(&self, ty: Type) -> u64 {
-        let one = match ty.base {
-            Base::Struct(id) => {
-                let fields = self.hir.structs[id].fields.iter();
-                fields.fold(0_u64, |sum, field| {
-                    sum.saturating_add(self.components(field.ty))
-                })
-            }
-            Base::Sampler(_) => 1,
-            _ => u64::from(self.hir.value_count(ty.element())),
-        };
-        one.saturating_mul(ty.array.map_or(1, |length| u64::from(length.get())))
-    }
-
     /// Checks the size of a variable that the program owns.
     pub(super) fn check_size(&mut self, ty: Type, at: Extent) -> bool {
-        let components = self.components(ty);
+        let components = u64::from(self.hir.value_count(ty));
         let bytes = components.saturating_mul(4);
         if components > MAX_COMPONENTS {
             let message = format!("{} is too large", self.spell_one(ty));

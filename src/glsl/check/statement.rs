@@ -356,7 +356,7 @@ impl Checker<'_> {
                     ty: ty.clone(),
                     declarators: vec![declarator.clone()],
                 };
-                let before = self.diagnostics.len();
+                let before = self.errors;
                 self.declaration(&declaration, &mut block);
                 match block.pop().map(|statement| statement.kind) {
                     Some(StmtKind::Declare(local, Some(init))) => {
@@ -369,7 +369,7 @@ impl Checker<'_> {
                         (Some(local), self.require_bool(value, what))
                     }
                     // A constant was declared: its value is the condition.
-                    _ if self.diagnostics.len() == before => {
+                    _ if self.errors == before => {
                         let value = declarator.init.and_then(|init| self.expression(init));
                         (None, value.and_then(|value| self.require_bool(value, what)))
                     }

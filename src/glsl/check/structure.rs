@@ -6,15 +6,26 @@ use super::Checker;
 use super::qualifier::Storage;
 use super::scope::Symbol;
 use super::specifier::Length;
+use crate::glsl::arena::Id;
 use crate::glsl::hir::{self, GlobalKind};
 use crate::glsl::names::Name;
 use crate::glsl::syntax::ast::{
     Declarator, Extent, Members, Qualifier, StructDefinition, TokenIndex,
 };
-use crate::glsl::types::{Base, Field, Struct, Type};
+use crate::glsl::types::{Base, Content, Field, Struct, Type};
 
 /// How deep WebGL2 lets structures nest.
 const MAX_NESTING: u32 = 4;
+
+/// How deep structures nest at most.
+const MAX_DEPTH: u32 = 64;
+
+/// The most members of a structure that are no structures themselves: as many numbers are more than
+/// WebGL2 lets a variable have.
+const MAX_MEMBERS: u32 = 1 << 14;
+
+/// The most numbers in a structure.
+const MAX_VALUES: u32 = 1 << 18;
 
 impl Checker<'_> {
     /// Declares a structure that is defined here.
@@ -26,10 +37,7 @@ impl Checker<'_> {
         }
         let fields = self.fields(&definition.members, false);
         self.in_structure = false;
-        let id = self.hir.structs.add(Struct {
-            name: definition.name,
-            fields: fields?,
-        });
+        let id = self.add_structure(definition.name, fields?, at)?;
         if let Some(name) = definition.name {
             self.check_name(name, at);
             match self.scopes.find_here(name) {
@@ -39,6 +47,29 @@ impl Checker<'_> {
             }
         }
         Some(Base::Struct(id))
+    }
+
+    /// Adds a structure, unless it is so large that code for its members would be.
+    fn add_structure(
+        &mut self,
+        name: Option<Name>,
+        fields: Vec<Field>,
+        at: Extent,
+    ) -> Option<Id<Struct>> {
+        let structure = Struct::new(name, fields, &self.hir.structs);
+        let Content {
+            values, members, ..
+        } = structure.content;
+        if members > MAX_MEMBERS || values > MAX_VALUES {
+            let message = match members > MAX_MEMBERS {
+                true => format!("the structure has more than {MAX_MEMBERS} members"),
+                false => format!("the structure has more than {MAX_VALUES} components"),
+            };
+            let hint = "those of structures within it count too: use arrays of numbers instead";
+            self.error_with_hint("too-large", message, at, hint);
+            return None;
+        }
+        Some(self.hir.structs.add(structure))
     }
 
     /// The members of a structure or block.
@@ -83,7 +114,12 @@ impl Checker<'_> {
             self.error("array-size", "a member that is an array needs a size", at);
             return None;
         };
-        let depth = self.nesting(ty);
+        let depth = Content::of(ty, &self.hir.structs).depth;
+        if depth >= MAX_DEPTH {
+            let message = format!("structures nest more than {MAX_DEPTH} deep");
+            self.error_with_hint("too-deep", message, at, "move a member up");
+            return None;
+        }
         if depth >= MAX_NESTING {
             self.refused_by_webgl(
                 "webgl-limit",
@@ -96,20 +132,6 @@ impl Checker<'_> {
             name: declarator.name,
             ty,
         })
-    }
-
-    /// How many structures stand within each other in a type.
-    fn nesting(&self, ty: Type) -> u32 {
-        match ty.base {
-            Base::Struct(id) => {
-                let fields = self.hir.structs[id].fields.iter();
-                1 + fields
-                    .map(|field| self.nesting(field.ty))
-                    .max()
-                    .unwrap_or(0)
-            }
-            _ => 0,
-        }
     }
 
     /// `uniform Name { … } instance;`
@@ -149,10 +171,9 @@ impl Checker<'_> {
             .iter()
             .flat_map(|group| group.declarators.iter().map(|one| (one.name, one.at)))
             .collect();
-        let id = self.hir.structs.add(Struct {
-            name: Some(name),
-            fields,
-        });
+        let Some(id) = self.add_structure(Some(name), fields, extent) else {
+            return;
+        };
         let mut ty = Type::of(Base::Struct(id));
         if let Some(instance) = instance
             && !instance.sizes.is_empty()

@@ -204,15 +204,12 @@ mod tests {
         let mut names = Names::default();
         let mut structs = Arena::default();
         let fields = [("a", ty("float")), ("b", ty("ivec2"))];
-        let id = structs.add(Struct {
-            name: None,
-            fields: fields
-                .map(|(name, ty)| Field {
-                    name: names.intern(name),
-                    ty,
-                })
-                .into(),
+        let fields = fields.map(|(name, ty)| Field {
+            name: names.intern(name),
+            ty,
         });
+        let structure = Struct::new(None, fields.into(), &structs);
+        let id = structs.add(structure);
         let read = ["1.5", "2i 3i"].map(values);
         let operands = read
             .each_ref()

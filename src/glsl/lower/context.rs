@@ -6,7 +6,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::constant::Part;
 use super::table::TableBuilder;
 use super::types::is_opaque;
-use super::{Lowered, Options, Unguarded, UniformBlock};
+use super::{Excess, Lowered, Options, Unguarded, UniformBlock};
 use crate::glsl::arena::Id;
 use crate::glsl::builtins::Builtin;
 use crate::glsl::hir::{
@@ -21,7 +21,8 @@ pub(super) struct Context<'a> {
     pub options: &'a Options<'a>,
     pub module: naga::Module,
     pub types: FxHashMap<Type, Handle<naga::Type>>,
-    pub layouter: naga::proc::Layouter,
+    /// The alignments of structures.
+    pub alignments: FxHashMap<Handle<naga::Type>, naga::proc::Alignment>,
     pub globals: FxHashMap<Id<Global>, Binding>,
     /// What has been lowered: functions, and which of their parameters are samplers without texture.
     pub functions: FxHashMap<(Id<Function>, Vec<bool>), Handle<naga::Function>>,
@@ -34,6 +35,10 @@ pub(super) struct Context<'a> {
     pub tables: TableBuilder,
     pub uniforms: Option<UniformBlock>,
     pub unguarded: Unguarded,
+    /// How many expressions there are in all functions.
+    pub operations: usize,
+    /// Set when the program is more than can be borne; no more statements are lowered then.
+    pub excess: Option<Excess>,
 }
 
 /// What stands for a global variable.
@@ -61,7 +66,7 @@ impl<'a> Context<'a> {
             options,
             module: naga::Module::default(),
             types: FxHashMap::default(),
-            layouter: naga::proc::Layouter::default(),
+            alignments: FxHashMap::default(),
             globals: FxHashMap::default(),
             functions: FxHashMap::default(),
             shares_position: false,
@@ -70,6 +75,8 @@ impl<'a> Context<'a> {
             tables: TableBuilder::default(),
             uniforms: None,
             unguarded: Unguarded::default(),
+            operations: 0,
+            excess: None,
         };
         for &id in &reachable.functions {
             context.analyse(id);
@@ -237,6 +244,7 @@ impl<'a> Context<'a> {
             uniforms: self.uniforms,
             tables,
             unguarded: self.unguarded,
+            excess: self.excess,
         }
     }
 }

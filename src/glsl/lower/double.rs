@@ -2,9 +2,7 @@
 
 use super::function::{Builder, H};
 use crate::glsl::Precision;
-use crate::glsl::arena::Id;
 use crate::glsl::builtins::Builtin;
-use crate::glsl::hir::Function;
 use crate::glsl::types::Type;
 
 impl Builder<'_, '_> {
@@ -12,7 +10,8 @@ impl Builder<'_, '_> {
     pub(super) fn transcendental(&mut self, builtin: Builtin, values: &[H], ty: Type) -> H {
         let size = ty.vector_size().expect("these are for scalars and vectors");
         if self.context.options.precision == Precision::Double {
-            if let Some(function) = self.double_function(builtin, values.len()) {
+            let functions = self.context.options.double_functions;
+            if let Some(function) = functions.get(builtin, values.len()) {
                 return self.call_by_component(function, values, ty);
             }
             let narrow: Vec<_> = values.iter().map(|&value| self.narrow(value)).collect();
@@ -28,12 +27,5 @@ impl Builder<'_, '_> {
             return self.transcendental_in_single(builtin, &[value]);
         }
         self.transcendental_in_single(builtin, values)
-    }
-
-    /// The function that stands for a built-in one with so many operands.
-    fn double_function(&self, builtin: Builtin, count: usize) -> Option<Id<Function>> {
-        let functions = self.context.options.double_functions.get(&builtin)?;
-        let parameters = |id: &Id<Function>| self.context.hir.functions[*id].parameters.len();
-        functions.iter().copied().find(|id| parameters(id) == count)
     }
 }

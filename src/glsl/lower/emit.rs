@@ -14,6 +14,10 @@ use super::types::size;
 use crate::glsl::Precision;
 use crate::glsl::types::{Scalar, Type};
 
+/// How many operations may stand within each other before they are split. Writers of text recurse on
+/// them, on whatever stack the caller has.
+const MAX_HEIGHT: u16 = 256;
+
 impl Builder<'_, '_> {
     /// Appends an expression.
     pub(super) fn add(&mut self, expression: Expression) -> H {
@@ -22,7 +26,62 @@ impl Builder<'_, '_> {
         } else {
             self.pending.get_or_insert(self.function.expressions.len());
         }
-        self.function.expressions.append(expression, self.span)
+        self.context.operations += 1;
+        let mut height = self.height_of_operands(&expression).saturating_add(1);
+        // It may be a pointer, which has no name in most languages.
+        let is_part = matches!(
+            expression,
+            Expression::Access { .. } | Expression::AccessIndex { .. }
+        );
+        let value = self.function.expressions.append(expression, self.span);
+        if height > MAX_HEIGHT && !is_part {
+            // What has a name is written as a statement of its own.
+            let names = &mut self.function.named_expressions;
+            names.entry(value).or_insert_with(|| "part".to_owned());
+            height = 0;
+        }
+        self.heights.push(height);
+        value
+    }
+
+    /// How many operations stand within each other below an operation.
+    fn height_of_operands(&self, expression: &Expression) -> u16 {
+        let height = |value: H| self.heights[value.index()];
+        match *expression {
+            Expression::Access { base, index } => height(base).max(height(index)),
+            Expression::AccessIndex { base: value, .. }
+            | Expression::Splat { value, .. }
+            | Expression::Swizzle { vector: value, .. }
+            | Expression::Load { pointer: value }
+            | Expression::Unary { expr: value, .. }
+            | Expression::Derivative { expr: value, .. }
+            | Expression::Relational {
+                argument: value, ..
+            }
+            | Expression::As { expr: value, .. } => height(value),
+            Expression::Compose { ref components, .. } => {
+                let heights = components.iter().map(|&component| height(component));
+                heights.max().unwrap_or(0)
+            }
+            Expression::Binary { left, right, .. } => height(left).max(height(right)),
+            Expression::Select {
+                condition,
+                accept,
+                reject,
+            } => height(condition).max(height(accept)).max(height(reject)),
+            Expression::Math {
+                arg,
+                arg1,
+                arg2,
+                arg3,
+                ..
+            } => {
+                let others = [arg1, arg2, arg3].into_iter().flatten().map(height);
+                others.fold(height(arg), u16::max)
+            }
+            // The others have a statement of their own, or no operands.
+            _ => 0,
+        }
     }
 
     fn flush(&mut self) {
@@ -48,6 +107,7 @@ impl Builder<'_, '_> {
     pub(super) fn open(&mut self) {
         self.flush();
         self.blocks.push(naga::Block::new());
+        self.deepest = self.deepest.max(self.blocks.len());
     }
 
     /// Ends the innermost block.

@@ -21,6 +21,10 @@ pub(super) struct Builder<'c, 'a> {
     pub id: Id<hir::Function>,
     pub function: naga::Function,
     pub blocks: Vec<naga::Block>,
+    /// The most blocks that have been open at once.
+    pub deepest: usize,
+    /// How many operations stand within each other in each expression.
+    pub heights: Vec<u16>,
     /// The first expression that no statement has emitted yet.
     pub pending: Option<usize>,
     pub span: Span,
@@ -94,6 +98,8 @@ impl<'c, 'a> Builder<'c, 'a> {
                 ..naga::Function::default()
             },
             blocks: vec![naga::Block::new()],
+            deepest: 1,
+            heights: Vec::new(),
             pending: None,
             span: Span::UNDEFINED,
             shared: FxHashMap::default(),
@@ -115,6 +121,8 @@ impl<'c, 'a> Builder<'c, 'a> {
         if !self.statements(body) {
             self.return_zero();
         }
+        // The last statement may have been too much.
+        self.is_excessive(Extent::of(self.source.at));
     }
 
     pub fn finish(mut self) -> naga::Function {

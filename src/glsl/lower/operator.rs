@@ -2,11 +2,12 @@
 
 use naga::{BinaryOperator, Expression, Literal, RelationalFunction, ScalarKind};
 
+use super::constant::TABLE_SIZE;
 use super::expression::Typed;
 use super::function::{Builder, H};
 use super::place::{count, element_type};
 use crate::glsl::arena::Id;
-use crate::glsl::hir::{BinaryOp, Expr, ExprKind, Extent, Value};
+use crate::glsl::hir::{BinaryOp, Expr, ExprKind, Extent, Value, value_count};
 use crate::glsl::types::{Base, Scalar, Type};
 
 impl Builder<'_, '_> {
@@ -162,6 +163,9 @@ impl Builder<'_, '_> {
                 let equal = self.binary(BinaryOperator::Equal, left, right);
                 self.relational(RelationalFunction::All, equal)
             }
+            (Some(_), _) if value_count(&self.context.hir.structs, ty) > TABLE_SIZE => {
+                self.equal_elements(ty, left, right)
+            }
             _ => {
                 let parts = match (ty.array, ty.base) {
                     (None, Base::Struct(id)) => {
@@ -183,6 +187,34 @@ impl Builder<'_, '_> {
                 all.expect("what is compared has parts")
             }
         }
+    }
+
+    /// Whether all elements of two arrays are equal, found in a loop.
+    fn equal_elements(&mut self, ty: Type, left: H, right: H) -> H {
+        let [left, right] = [left, right].map(|value| {
+            let copy = self.acquire(ty);
+            self.store(copy, value);
+            copy
+        });
+        let all = self.acquire(Type::BOOL);
+        let yes = self.bool(true);
+        self.store(all, yes);
+        self.count_to(count(ty), |builder, index| {
+            let [left, right] = [left, right].map(|array| {
+                let element = builder.access(array, index);
+                builder.load(element)
+            });
+            let equal = builder.equal(ty.element(), left, right);
+            let before = builder.load(all);
+            let both = builder.binary(BinaryOperator::LogicalAnd, before, equal);
+            builder.store(all, both);
+        });
+        let value = self.load(all);
+        for copy in [left, right] {
+            self.release(ty, copy);
+        }
+        self.release(Type::BOOL, all);
+        value
     }
 
     /// Whether any component differs. naga's own operator is false for what is no number.

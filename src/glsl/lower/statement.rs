@@ -3,9 +3,10 @@
 use naga::Statement;
 
 use super::function::{Builder, H, Local};
+use super::{Excess, MAX_BLOCKS, MAX_OPERATIONS};
 use crate::glsl::arena::Id;
-use crate::glsl::hir::{self, Expr, ExprKind, Loop, Stmt, StmtKind};
-use crate::glsl::types::{Base, Type};
+use crate::glsl::hir::{self, Expr, ExprKind, Extent, Loop, Stmt, StmtKind};
+use crate::glsl::types::{Content, Type};
 
 impl<'a> Builder<'_, 'a> {
     /// Appends statements; whether control never gets to their end.
@@ -16,6 +17,20 @@ impl<'a> Builder<'_, 'a> {
             }
         }
         false
+    }
+
+    /// Whether the program is more than graphics libraries bear, so that it is refused.
+    pub(super) fn is_excessive(&mut self, at: Extent) -> bool {
+        if self.context.excess.is_none() {
+            self.context.excess = if self.deepest > MAX_BLOCKS {
+                Some(Excess::Depth(at))
+            } else if self.context.operations > MAX_OPERATIONS {
+                Some(Excess::Size(at))
+            } else {
+                None
+            };
+        }
+        self.context.excess.is_some()
     }
 
     /// Statements of which the declarations are seen by no others.
@@ -34,6 +49,9 @@ impl<'a> Builder<'_, 'a> {
 
     fn statement(&mut self, stmt: &'a Stmt, before: &'a [Stmt]) -> bool {
         self.span = self.span_of(stmt.extent);
+        if self.is_excessive(stmt.extent) {
+            return true;
+        }
         match &stmt.kind {
             StmtKind::Expression(id) => self.effect(*id),
             StmtKind::Declare(local, value) => self.declare(*local, *value),
@@ -134,14 +152,7 @@ impl<'a> Builder<'_, 'a> {
 
     /// Whether a value is better kept behind a pointer, for its elements are picked by an index.
     fn holds_array(&self, ty: Type) -> bool {
-        ty.is_array()
-            || match ty.base {
-                Base::Struct(id) => {
-                    let mut fields = self.context.hir.structs[id].fields.iter();
-                    fields.any(|field| self.holds_array(field.ty))
-                }
-                _ => false,
-            }
+        Content::of(ty, &self.context.hir.structs).has_array
     }
 
     fn repeat(&mut self, source: &'a Loop, before: &'a [Stmt]) {

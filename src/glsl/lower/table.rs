@@ -228,19 +228,23 @@ impl Builder<'_, '_> {
     }
 
     /// Sets every element of an array in a loop. A statement for each would take drivers long.
-    pub(super) fn fill(
-        &mut self,
-        pointer: H,
-        ty: Type,
-        mut element: impl FnMut(&mut Self, H) -> H,
-    ) {
+    pub(super) fn fill(&mut self, pointer: H, ty: Type, element: impl FnOnce(&mut Self, H) -> H) {
+        self.count_to(count(ty), |builder, index| {
+            let value = element(builder, index);
+            let to = builder.access(pointer, index);
+            builder.store(to, value);
+        });
+    }
+
+    /// Does something for every number below another, in a loop.
+    pub(super) fn count_to(&mut self, end: u32, each: impl FnOnce(&mut Self, H)) {
         let counter = self.acquire(Type::UINT);
         let zero = self.literal(Literal::U32(0));
         self.store(counter, zero);
         self.open();
         let index = self.load(counter);
-        let length = self.uint(count(ty));
-        let condition = self.binary(BinaryOperator::Less, index, length);
+        let end = self.uint(end);
+        let condition = self.binary(BinaryOperator::Less, index, end);
         self.open();
         let accept = self.close();
         self.open();
@@ -251,9 +255,7 @@ impl Builder<'_, '_> {
             accept,
             reject,
         });
-        let value = element(self, index);
-        let to = self.access(pointer, index);
-        self.store(to, value);
+        each(self, index);
         let body = self.close();
         self.open();
         let index = self.load(counter);

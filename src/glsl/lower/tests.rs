@@ -9,13 +9,12 @@ use std::num::NonZeroU32;
 
 use naga::back;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
-use rustc_hash::FxHashMap;
 
 use super::{HostSampler, Interface, Lowered, Options, lower, verify};
-use crate::glsl::Precision;
 use crate::glsl::hir::Hir;
 use crate::glsl::prune::Reachable;
 use crate::glsl::types::{Base, Scalar, Type};
+use crate::glsl::{Precision, double};
 
 const FLOAT: Type = Type::FLOAT;
 const INT: Type = Type::INT;
@@ -63,12 +62,14 @@ fn interface() -> Interface {
 /// Lowers a program, which must pass the validators.
 fn lowered(hir: &Hir, precision: Precision) -> (Lowered, ModuleInfo) {
     let interface = interface();
+    let double_functions = double::Functions::default();
     let options = Options {
         precision,
         interface: &interface,
-        double_functions: FxHashMap::default(),
+        double_functions: &double_functions,
     };
-    let mut lowered = lower(hir, &Reachable::new(hir), &options);
+    let reachable = Reachable::new(hir, &double_functions);
+    let mut lowered = lower(hir, &reachable, &options);
     verify::verify(&lowered.module).expect("well-formed IR");
     naga::compact::compact(&mut lowered.module, naga::compact::KeepUnused::No);
     let info = Validator::new(ValidationFlags::all(), Capabilities::all())

@@ -1,5 +1,6 @@
 //! GLSL's types as naga's.
 
+use naga::proc::{Alignment, TypeLayout};
 use naga::{ArraySize, Handle, StructMember, TypeInner, VectorSize};
 
 use super::context::Context;
@@ -85,7 +86,7 @@ impl Context<'_> {
         let hir = self.hir;
         let mut members = Vec::new();
         let mut span = 0;
-        let mut alignment = naga::proc::Alignment::ONE;
+        let mut alignment = Alignment::ONE;
         let mut add = |context: &mut Self, name: &str, ty: Type| {
             let ty = context.ty(ty);
             let layout = context.layout(ty);
@@ -120,14 +121,30 @@ impl Context<'_> {
                 span: alignment.round_up(span),
             },
         };
-        self.module.types.insert(ty, naga::Span::UNDEFINED)
+        let ty = self.module.types.insert(ty, naga::Span::UNDEFINED);
+        self.alignments.insert(ty, alignment);
+        ty
     }
 
-    pub(super) fn layout(&mut self, ty: Handle<naga::Type>) -> naga::proc::TypeLayout {
-        self.layouter
-            .update(self.module.to_ctx())
-            .expect("the checker limits the sizes of types");
-        self.layouter[ty]
+    /// What naga's layouter finds, which takes time for all types whenever there is a new one.
+    pub(super) fn layout(&self, ty: Handle<naga::Type>) -> TypeLayout {
+        let inner = &self.module.types[ty].inner;
+        let alignment = match *inner {
+            TypeInner::Vector { size, scalar } => {
+                Alignment::from(size) * Alignment::from_width(scalar.width)
+            }
+            TypeInner::Matrix { rows, scalar, .. } => {
+                Alignment::from(rows) * Alignment::from_width(scalar.width)
+            }
+            TypeInner::Array { base, .. } => self.layout(base).alignment,
+            TypeInner::Struct { .. } => self.alignments[&ty],
+            TypeInner::Scalar(scalar) => Alignment::from_width(scalar.width),
+            _ => unreachable!("it has no place in memory"),
+        };
+        TypeLayout {
+            size: inner.size(self.module.to_ctx()),
+            alignment,
+        }
     }
 
     /// The type of the texture in a sampler.

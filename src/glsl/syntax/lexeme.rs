@@ -220,7 +220,7 @@ mod tests {
             ("0.1", Lexeme::Float(0.1)),
             ("1e9999", Lexeme::Float(f64::INFINITY)),
             // Refused by the preprocessor.
-            ("1.2.3", Lexeme::Float(0.0)),
+            ("1.2.3", Lexeme::Int(0)),
             ("0x", Lexeme::Int(0)),
         ] {
             assert_eq!(number(text), value, "{text}");

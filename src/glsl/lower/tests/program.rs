@@ -36,16 +36,15 @@ impl Program {
 
     pub fn structure(&mut self, name: &str, fields: &[(&str, Type)]) -> Type {
         let names = &mut self.hir.names;
-        let structure = Struct {
-            name: Some(names.intern(name)),
-            fields: fields
-                .iter()
-                .map(|(name, ty)| Field {
-                    name: names.intern(name),
-                    ty: *ty,
-                })
-                .collect(),
-        };
+        let fields = fields
+            .iter()
+            .map(|(name, ty)| Field {
+                name: names.intern(name),
+                ty: *ty,
+            })
+            .collect();
+        let name = Some(names.intern(name));
+        let structure = Struct::new(name, fields, &self.hir.structs);
         Type::of(Base::Struct(self.hir.structs.add(structure)))
     }
 
