@@ -143,6 +143,11 @@ impl<T> Default for Arena<T> {
 }
 
 impl<T> Arena<T> {
+    /// Makes room for more elements.
+    pub fn reserve(&mut self, more: usize) {
+        self.items.reserve(more);
+    }
+
     /// Adds an element.
     pub fn add(&mut self, item: T) -> Id<T> {
         let id = Id::new(self.items.len());

@@ -11,6 +11,7 @@ use super::hir::{
     BinaryOp, Block, Constants, Expr, ExprKind, Function, Global, GlobalKind, Hir, Local, Loop,
     Operands, StmtKind, UnaryOp, Value,
 };
+use super::prune;
 
 /// Sets [`Loop::is_finite`] where it can be shown.
 pub fn mark_finite_loops(hir: &mut Hir) {
@@ -21,7 +22,7 @@ pub fn mark_finite_loops(hir: &mut Hir) {
             uniforms: &|global: Id<Global>| hir.globals[global].kind == GlobalKind::Uniform,
             constants: &hir.constants,
         };
-        finder.block(&mut body, &mut FxHashSet::default());
+        finder.block(&mut body, None);
         hir.functions[id].body = body;
     }
 }
@@ -40,45 +41,50 @@ struct Step {
 }
 
 impl Finder<'_> {
-    /// Marks the loops of a block, and adds the variables that it writes to `written`.
-    fn block(&self, block: &mut Block, written: &mut FxHashSet<Id<Local>>) {
+    /// Marks the loops of a block; within a loop, also adds the variables that the block writes to
+    /// `written`.
+    fn block(&self, block: &mut Block, mut written: Option<&mut FxHashSet<Id<Local>>>) {
         for index in 0..block.len() {
             let (before, rest) = block.split_at_mut(index);
             match &mut rest[0].kind {
                 StmtKind::Expression(value) | StmtKind::Return(Some(value)) => {
-                    self.writes(*value, written);
+                    self.writes(*value, written.as_deref_mut());
                 }
                 StmtKind::Declare(local, init) => {
-                    written.insert(*local);
+                    if let Some(written) = written.as_deref_mut() {
+                        written.insert(*local);
+                    }
                     if let Some(init) = init {
-                        self.writes(*init, written);
+                        self.writes(*init, written.as_deref_mut());
                     }
                 }
-                StmtKind::Block(inner) => self.block(inner, written),
+                StmtKind::Block(inner) => self.block(inner, written.as_deref_mut()),
                 StmtKind::If(condition, then, other) => {
-                    self.writes(*condition, written);
-                    self.block(then, written);
-                    self.block(other, written);
+                    self.writes(*condition, written.as_deref_mut());
+                    self.block(then, written.as_deref_mut());
+                    self.block(other, written.as_deref_mut());
                 }
                 StmtKind::Switch(switch) => {
-                    self.writes(switch.selector, written);
+                    self.writes(switch.selector, written.as_deref_mut());
                     for arm in &mut switch.arms {
-                        self.block(&mut arm.body, written);
+                        self.block(&mut arm.body, written.as_deref_mut());
                     }
                 }
                 StmtKind::Loop(found) => {
                     let mut inside = FxHashSet::default();
-                    self.block(&mut found.body, &mut inside);
+                    self.block(&mut found.body, Some(&mut inside));
                     let begin = before.last().and_then(|last| match last.kind {
                         StmtKind::Declare(local, Some(init)) => Some((local, init)),
                         _ => None,
                     });
                     found.is_finite = self.is_finite(found, begin, &inside);
                     for value in found.condition.into_iter().chain(found.step) {
-                        self.writes(value, &mut inside);
+                        self.writes(value, Some(&mut inside));
                     }
                     inside.extend(found.declared);
-                    written.extend(inside);
+                    if let Some(written) = written.as_deref_mut() {
+                        written.extend(inside);
+                    }
                 }
                 StmtKind::Break | StmtKind::Continue | StmtKind::Discard => {}
                 StmtKind::Return(None) => {}
@@ -94,28 +100,9 @@ impl Finder<'_> {
         self.function.operands.get(operands)
     }
 
-    /// The operands of an expression.
-    fn children(&self, id: Id<Expr>) -> Vec<Id<Expr>> {
-        match self.expr(id) {
-            ExprKind::Constant(_) | ExprKind::Local(_) | ExprKind::Global(_) => Vec::new(),
-            ExprKind::Unary(_, a) | ExprKind::Member(a, _) | ExprKind::Swizzle(a, _) => vec![a],
-            ExprKind::Increment { place, .. } => vec![place],
-            ExprKind::Binary(_, a, b)
-            | ExprKind::And(a, b)
-            | ExprKind::Or(a, b)
-            | ExprKind::Comma(a, b)
-            | ExprKind::Assign(a, b)
-            | ExprKind::Compound(_, a, b)
-            | ExprKind::Index(a, b) => vec![a, b],
-            ExprKind::Ternary(a, b, c) => vec![a, b, c],
-            ExprKind::Construct(all) | ExprKind::Call(_, all) | ExprKind::Builtin(_, all) => {
-                self.operands(all).to_vec()
-            }
-        }
-    }
-
     /// Adds the variables that an expression may write.
-    fn writes(&self, id: Id<Expr>, written: &mut FxHashSet<Id<Local>>) {
+    fn writes(&self, id: Id<Expr>, written: Option<&mut FxHashSet<Id<Local>>>) {
+        let Some(written) = written else { return };
         let mut open = vec![id];
         while let Some(id) = open.pop() {
             match self.expr(id) {
@@ -128,7 +115,7 @@ impl Finder<'_> {
                 }
                 _ => {}
             }
-            open.extend(self.children(id));
+            prune::operands(self.function, id, &mut |operand| open.push(operand));
         }
     }
 
@@ -263,7 +250,7 @@ impl Finder<'_> {
             if !is_fine {
                 return false;
             }
-            open.extend(self.children(id));
+            prune::operands(self.function, id, &mut |operand| open.push(operand));
         }
         true
     }

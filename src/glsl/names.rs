@@ -1,5 +1,7 @@
 //! Interned names.
 
+use std::sync::Arc;
+
 use rustc_hash::FxHashMap;
 
 /// A name of the program, interned: equal names are equal numbers.
@@ -16,8 +18,8 @@ impl Name {
 /// All names of one program.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
-    by_text: FxHashMap<Box<str>, Name>,
-    texts: Vec<Box<str>>,
+    by_text: FxHashMap<Arc<str>, Name>,
+    texts: Vec<Arc<str>>,
 }
 
 impl Names {
@@ -27,8 +29,9 @@ impl Names {
             return known;
         }
         let name = Name(self.texts.len() as u32);
-        self.texts.push(text.into());
-        self.by_text.insert(text.into(), name);
+        let text: Arc<str> = text.into();
+        self.texts.push(text.clone());
+        self.by_text.insert(text, name);
         name
     }
 

@@ -175,7 +175,7 @@ pub fn expressions(function: &Function) -> Vec<Id<Expr>> {
 pub fn expressions_in(function: &Function, body: &[Stmt]) -> Vec<Id<Expr>> {
     let mut roots = Vec::new();
     statement_roots(body, &mut roots);
-    let mut found = Vec::new();
+    let mut found = Vec::with_capacity(roots.len() * 4);
     roots.reverse();
     while let Some(id) = roots.pop() {
         found.push(id);

@@ -1,5 +1,7 @@
 //! Constructors, §5.4.
 
+use std::cell::LazyCell;
+
 use super::{Checker, Typed};
 use crate::glsl::arena::Id;
 use crate::glsl::fold;
@@ -71,23 +73,26 @@ impl Checker<'_> {
         ty: Type,
         arguments: &[Typed],
     ) -> Result<(), (String, &'static str)> {
-        let spelled = self.spell(ty);
+        // Most calls are right and need no message.
+        let spelled = LazyCell::new(|| self.spell(ty));
         let fail = |message: String, hint| Err((message, hint));
         if arguments.is_empty() {
-            return fail(format!("`{spelled}()` needs arguments"), "");
+            return fail(format!("`{}()` needs arguments", *spelled), "");
         }
         if let Some(bad) = arguments
             .iter()
             .find(|argument| argument.ty.base == Base::Void || self.holds_sampler(argument.ty))
         {
-            let message = format!("{} cannot be part of a `{spelled}`", self.spell_one(bad.ty));
+            let bad = self.spell_one(bad.ty);
+            let message = format!("{bad} cannot be part of a `{}`", *spelled);
             return fail(message, "");
         }
         if let Some(length) = ty.array {
             let length = length.get() as usize;
             if arguments.len() != length {
                 let message = format!(
-                    "a `{spelled}` has {length} elements but {} are given",
+                    "a `{}` has {length} elements but {} are given",
+                    *spelled,
                     arguments.len()
                 );
                 return fail(message, "");
@@ -96,8 +101,9 @@ impl Checker<'_> {
             return match arguments.iter().find(|argument| argument.ty != element) {
                 Some(bad) => fail(
                     format!(
-                        "{} cannot be an element of `{spelled}`",
-                        self.spell_one(bad.ty)
+                        "{} cannot be an element of `{}`",
+                        self.spell_one(bad.ty),
+                        *spelled
                     ),
                     "the elements of an array are not converted",
                 ),
@@ -108,7 +114,8 @@ impl Checker<'_> {
             let fields = &self.hir.structs[id].fields;
             if fields.len() != arguments.len() {
                 let message = format!(
-                    "the structure `{spelled}` has {} members but {} are given",
+                    "the structure `{}` has {} members but {} are given",
+                    *spelled,
                     fields.len(),
                     arguments.len()
                 );
@@ -118,8 +125,9 @@ impl Checker<'_> {
             return match pairs.find(|(field, argument)| field.ty != argument.ty) {
                 Some((field, argument)) => fail(
                     format!(
-                        "the member `{}` of `{spelled}` is a `{}`, this is a `{}`",
+                        "the member `{}` of `{}` is a `{}`, this is a `{}`",
                         self.text(field.name),
+                        *spelled,
                         self.spell(field.ty),
                         self.spell(argument.ty)
                     ),
@@ -137,12 +145,13 @@ impl Checker<'_> {
         ty: Type,
         arguments: &[Typed],
     ) -> Result<(), (String, &'static str)> {
-        let spelled = self.spell(ty);
+        let spelled = LazyCell::new(|| self.spell(ty));
         if let Some(bad) = arguments
             .iter()
             .find(|argument| argument.ty.scalar().is_none())
         {
-            let message = format!("{} cannot be part of a `{spelled}`", self.spell_one(bad.ty));
+            let bad = self.spell_one(bad.ty);
+            let message = format!("{bad} cannot be part of a `{}`", *spelled);
             return Err((message, "choose a member or an element of it"));
         }
         let wanted = self.hir.value_count(ty);
@@ -150,7 +159,10 @@ impl Checker<'_> {
             return match arguments {
                 [_] => Ok(()),
                 _ => Err((
-                    format!("a `{spelled}` is made of one matrix, or of scalars and vectors"),
+                    format!(
+                        "a `{}` is made of one matrix, or of scalars and vectors",
+                        *spelled
+                    ),
                     "",
                 )),
             };
@@ -159,14 +171,18 @@ impl Checker<'_> {
         for argument in arguments {
             if given >= wanted {
                 let message = format!(
-                    "`{spelled}` has {wanted} components, which the first arguments fill already"
+                    "`{}` has {wanted} components, which the first arguments fill already",
+                    *spelled
                 );
                 return Err((message, "remove the arguments that are too many"));
             }
             given += self.hir.value_count(argument.ty);
         }
         if given != 1 && given < wanted {
-            let message = format!("`{spelled}` has {wanted} components but {given} are given");
+            let message = format!(
+                "`{}` has {wanted} components but {given} are given",
+                *spelled
+            );
             return Err((
                 message,
                 "give all components, or a single scalar for all of them",

@@ -467,7 +467,7 @@ impl Checker<'_> {
         let reserved = ["gl_", "webgl_", "_webgl_"];
         let message = if let Some(prefix) = reserved.iter().find(|&&one| text.starts_with(one)) {
             format!("`{text}`: names that begin with `{prefix}` are reserved")
-        } else if text.contains("__") {
+        } else if text.as_bytes().windows(2).any(|pair| pair == b"__") {
             format!("`{text}`: names with two underscores in a row are reserved")
         } else {
             return;

@@ -191,8 +191,8 @@ impl Checker<'_> {
     fn member(&mut self, base: Id<ast::Expr>, name: Name, expr: &ast::Expr) -> Option<Typed> {
         let base = self.expression(base)?;
         let at = Extent::of(expr.at);
-        let spelled = self.text(name).to_owned();
         if base.ty.is_array() {
+            let spelled = self.text(name);
             let message = format!("an array has no member `{spelled}`");
             let hint = "its number of elements is `.length()`; members of an element need an index";
             self.error_with_hint("unknown-field", message, at, hint);
@@ -200,14 +200,24 @@ impl Checker<'_> {
         }
         match base.ty.base {
             Base::Vector(scalar, size) => {
-                let swizzle = self.swizzle(&spelled, size, at)?;
+                let swizzle = match read_swizzle(self.text(name), size) {
+                    Ok(swizzle) => swizzle,
+                    Err((message, "")) => {
+                        self.error("unknown-field", message, at);
+                        return None;
+                    }
+                    Err((message, hint)) => {
+                        self.error_with_hint("unknown-field", message, at, hint);
+                        return None;
+                    }
+                };
                 let ty = Type::vector(scalar, swizzle.len);
                 Some(self.swizzled(base, swizzle, ty, expr.extent))
             }
             Base::Struct(id) => match self.hir.structs[id].field(name) {
                 Some((index, _)) => Some(self.field(base, index, expr.extent)),
                 None => {
-                    let ty = self.spell(base.ty);
+                    let (ty, spelled) = (self.spell(base.ty), self.text(name));
                     let message = format!("the structure `{ty}` has no member `{spelled}`");
                     let fields = self.hir.structs[id].fields.iter();
                     let names: Vec<&str> = fields.map(|field| self.text(field.name)).collect();
@@ -217,51 +227,13 @@ impl Checker<'_> {
                 }
             },
             _ => {
-                let ty = self.spell_one(base.ty);
+                let (ty, spelled) = (self.spell_one(base.ty), self.text(name));
                 let message = format!("{ty} has no member `{spelled}`");
                 let hint = "only vectors and structures have members";
                 self.error_with_hint("unknown-field", message, at, hint);
                 None
             }
         }
-    }
-
-    /// Reads a swizzle's letters.
-    fn swizzle(&mut self, letters: &str, size: u8, at: Extent) -> Option<Swizzle> {
-        let mut swizzle = Swizzle {
-            len: letters.len() as u8,
-            components: [0; 4],
-        };
-        let mut alphabet = None;
-        for (i, letter) in letters.bytes().enumerate() {
-            let found = ["xyzw", "rgba", "stpq"]
-                .iter()
-                .enumerate()
-                .find_map(|(set, all)| Some((set, all.bytes().position(|known| known == letter)?)));
-            let Some((set, component)) = found.filter(|_| letters.len() <= 4) else {
-                let message = format!("a vector has no component `{letters}`");
-                let hint = "up to four letters of `xyzw`, `rgba` or `stpq`";
-                self.error_with_hint("unknown-field", message, at, hint);
-                return None;
-            };
-            if alphabet.is_some_and(|known| known != set) {
-                let message = format!("`{letters}` mixes two alphabets");
-                let hint = "write all letters from `xyzw`, or all from `rgba`, or all from `stpq`";
-                self.error_with_hint("unknown-field", message, at, hint);
-                return None;
-            }
-            alphabet = Some(set);
-            if component >= usize::from(size) {
-                let message = match letters.len() {
-                    1 => format!("the vector has no component `{letters}`: it has {size}"),
-                    _ => format!("the vector has {size} components, `{letters}` names another"),
-                };
-                self.error("unknown-field", message, at);
-                return None;
-            }
-            swizzle.components[i] = component as u8;
-        }
-        Some(swizzle)
     }
 
     fn swizzled(&mut self, base: Typed, swizzle: Swizzle, ty: Type, extent: Extent) -> Typed {
@@ -418,6 +390,39 @@ impl Checker<'_> {
         let kind = ExprKind::Comma(base.id, length.id);
         Some(self.add_over(kind, Type::INT, expr.extent, &[base, length], true))
     }
+}
+
+/// Reads a swizzle's letters; else what is wrong with them, and a hint if there is one.
+fn read_swizzle(letters: &str, size: u8) -> Result<Swizzle, (String, &'static str)> {
+    let mut swizzle = Swizzle {
+        len: letters.len() as u8,
+        components: [0; 4],
+    };
+    let mut alphabet = None;
+    for (i, letter) in letters.bytes().enumerate() {
+        let found = ["xyzw", "rgba", "stpq"]
+            .iter()
+            .enumerate()
+            .find_map(|(set, all)| Some((set, all.bytes().position(|known| known == letter)?)));
+        let Some((set, component)) = found.filter(|_| letters.len() <= 4) else {
+            let message = format!("a vector has no component `{letters}`");
+            return Err((message, "up to four letters of `xyzw`, `rgba` or `stpq`"));
+        };
+        if alphabet.is_some_and(|known| known != set) {
+            let hint = "write all letters from `xyzw`, or all from `rgba`, or all from `stpq`";
+            return Err((format!("`{letters}` mixes two alphabets"), hint));
+        }
+        alphabet = Some(set);
+        if component >= usize::from(size) {
+            let message = match letters.len() {
+                1 => format!("the vector has no component `{letters}`: it has {size}"),
+                _ => format!("the vector has {size} components, `{letters}` names another"),
+            };
+            return Err((message, ""));
+        }
+        swizzle.components[i] = component as u8;
+    }
+    Ok(swizzle)
 }
 
 /// What to write instead of names that are not of this language.

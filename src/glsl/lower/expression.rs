@@ -301,7 +301,7 @@ impl Builder<'_, '_> {
 
     /// Whether evaluating an expression changes anything.
     pub(super) fn has_effect(&mut self, id: Id<Expr>) -> bool {
-        if let Some(&known) = self.effects.get(&id) {
+        if let Some(known) = self.effects[id.index()] {
             return known;
         }
         let known = match self.source.exprs[id].kind {
@@ -311,12 +311,15 @@ impl Builder<'_, '_> {
             | ExprKind::Call(..)
             | ExprKind::Builtin(Builtin::Modf, _) => true,
             _ => {
-                let mut operands = Vec::new();
-                prune::operands(self.source, id, &mut |operand| operands.push(operand));
-                operands.into_iter().any(|operand| self.has_effect(operand))
+                let mut any = false;
+                let source = self.source;
+                prune::operands(source, id, &mut |operand| {
+                    any = any || self.has_effect(operand);
+                });
+                any
             }
         };
-        self.effects.insert(id, known);
+        self.effects[id.index()] = Some(known);
         known
     }
 

@@ -34,7 +34,7 @@ pub(super) struct Builder<'c, 'a> {
     /// Variables that hold nothing at present.
     pub temporaries: FxHashMap<Type, Vec<H>>,
     /// Which expressions change anything, as far as has been asked.
-    pub effects: FxHashMap<Id<hir::Expr>, bool>,
+    pub effects: Vec<Option<bool>>,
     /// What is known of integers.
     pub ranges: Ranges,
     /// The loops that the present statement stands in.
@@ -105,7 +105,7 @@ impl<'c, 'a> Builder<'c, 'a> {
             shared: FxHashMap::default(),
             locals: vec![None; source.locals.len()],
             temporaries: FxHashMap::default(),
-            effects: FxHashMap::default(),
+            effects: vec![None; source.exprs.len()],
             ranges: Ranges::default(),
             loops: Vec::new(),
             in_arm: false,

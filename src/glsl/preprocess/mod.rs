@@ -77,7 +77,9 @@ pub fn preprocess<'a>(
 ) -> Preprocessed<'a> {
     let mut source = Directives::new(files, units, options);
     let mut expansion = Expansion::of_text();
-    let mut tokens = Vec::new();
+    // Texts of several programs have a token in every four bytes or so.
+    let bytes: usize = units.iter().map(|&unit| files.get(unit).text.len()).sum();
+    let mut tokens = Vec::with_capacity(bytes / 4);
     let mut odd_character = None;
     while let Some(kind) = expansion.next_into(&mut tokens, &mut source) {
         if !matches!(kind, Kind::Number | Kind::Odd | Kind::Punctuator) {

@@ -142,10 +142,7 @@ pub(super) fn read(tokens: &[Token<'_>], names: &mut Names) -> Lexemes {
                 }
             },
             Kind::Number => number(text),
-            Kind::Punctuator => match known.get(text) {
-                Some(Known::Lexeme(symbol)) => *symbol,
-                _ => Lexeme::Refused,
-            },
+            Kind::Punctuator => punctuator(text),
             Kind::Odd | Kind::LineEnd => Lexeme::Refused,
         };
         after_dot = lexeme == Lexeme::Symbol(Symbol::Dot);
@@ -153,6 +150,31 @@ pub(super) fn read(tokens: &[Token<'_>], names: &mut Names) -> Lexemes {
     }
     list.push(Lexeme::End);
     Lexemes { list, reserved }
+}
+
+/// An operator or a bracket. Most are a single byte, which is faster than to look them up.
+fn punctuator(text: &str) -> Lexeme {
+    use Symbol as S;
+    Lexeme::Symbol(match text.as_bytes() {
+        b"(" => S::LeftParenthesis,
+        b")" => S::RightParenthesis,
+        b"," => S::Comma,
+        b"." => S::Dot,
+        b";" => S::Semicolon,
+        b"*" => S::Star,
+        b"=" => S::Assign,
+        b"+" => S::Plus,
+        b"-" => S::Minus,
+        b"/" => S::Slash,
+        b"{" => S::LeftBrace,
+        b"}" => S::RightBrace,
+        b"[" => S::LeftBracket,
+        b"]" => S::RightBracket,
+        _ => match KNOWN.get(text) {
+            Some(Known::Lexeme(symbol)) => return *symbol,
+            _ => return Lexeme::Refused,
+        },
+    })
 }
 
 /// The value of a number. One that is not well-formed has been refused already and counts as zero, so

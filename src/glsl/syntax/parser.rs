@@ -68,6 +68,7 @@ impl<'a> Parser<'a> {
     pub fn new(tokens: &'a [Token<'a>]) -> Self {
         let mut ast = Ast::default();
         let read = lexeme::read(tokens, &mut ast.names);
+        ast.exprs.reserve(tokens.len() / 2);
         Parser {
             tokens,
             lexemes: read.list,
@@ -75,7 +76,7 @@ impl<'a> Parser<'a> {
             blamed: Vec::new(),
             at: 0,
             ast,
-            expression_heights: Vec::new(),
+            expression_heights: Vec::with_capacity(tokens.len() / 2),
             statement_heights: Vec::new(),
             nesting: 0,
             blocks: 0,
