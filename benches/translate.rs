@@ -3,7 +3,7 @@
 //!
 //! Run it with `cargo bench --bench translate`. The texts are the project's own shaders, as far as
 //! both accept them. With `CORPUS_LIST=FILE`, a list of scenes, one path a line, it measures those
-//! once each instead, and prints how the two compare and where our time goes.
+//! once each instead, in turn, and prints how the two compare and where our time goes.
 
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -91,6 +91,9 @@ fn naga_header(pass: &Pass) -> String {
     }
     text
 }
+
+/// How often a list is measured.
+const ROUNDS: usize = 15;
 
 /// The phases of our front end, and the time that each took.
 const PHASES: [&str; 5] = ["preprocess", "parse", "check", "lower", "validate"];
@@ -188,26 +191,28 @@ fn corpus(list: &Path) {
         paths.len()
     );
     let (mut own, mut other, mut phases) = (Duration::MAX, Duration::MAX, Default::default());
-    for _ in 0..5 {
+    let mut ratios = Vec::new();
+    for _ in 0..ROUNDS {
         let mut times = [Duration::ZERO; 5];
         let start = Instant::now();
         for text in &texts {
             black_box(ours(text, &mut times));
         }
-        if start.elapsed() < own {
-            (own, phases) = (start.elapsed(), times);
-        }
+        let ours = start.elapsed();
         let start = Instant::now();
         for text in &texts {
             black_box(nagas(text, &mut Default::default()));
         }
-        other = other.min(start.elapsed());
+        let nagas = start.elapsed();
+        if ours < own {
+            (own, phases) = (ours, times);
+        }
+        other = other.min(nagas);
+        ratios.push(nagas.as_secs_f64() / ours.as_secs_f64().max(f64::MIN_POSITIVE));
     }
-    println!("  ours {own:9.1?}, naga's {other:9.1?}");
-    println!(
-        "  ratio {:.2}",
-        other.as_secs_f64() / own.as_secs_f64().max(f64::MIN_POSITIVE)
-    );
+    ratios.sort_by(f64::total_cmp);
+    println!("  least: ours {own:9.1?}, naga's {other:9.1?}");
+    println!("  ratio, median of {ROUNDS}: {:.2}", ratios[ROUNDS / 2]);
     for (phase, time) in PHASES.iter().zip(phases) {
         println!("  {phase:10} {time:9.1?}");
     }

@@ -82,6 +82,17 @@ impl<T> Clone for Range<T> {
 
 impl<T> Copy for Range<T> {}
 
+impl<T> Default for Range<T> {
+    /// Of no elements.
+    fn default() -> Self {
+        Range {
+            start: 0,
+            len: 0,
+            of: PhantomData,
+        }
+    }
+}
+
 impl<T> fmt::Debug for Range<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "#{}+{}", self.start, self.len)
@@ -115,11 +126,21 @@ impl<T> Default for Pool<T> {
 impl<T: Copy> Pool<T> {
     /// Adds a row.
     pub fn add(&mut self, row: &[T]) -> Range<T> {
-        let start = self.items.len() as u32;
-        self.items.extend_from_slice(row);
+        self.extend(row.iter().copied())
+    }
+
+    /// Makes room for more elements.
+    pub fn reserve(&mut self, more: usize) {
+        self.items.reserve(more);
+    }
+
+    /// Adds a row whose elements are made on the way.
+    pub fn extend(&mut self, row: impl Iterator<Item = T>) -> Range<T> {
+        let start = self.items.len();
+        self.items.extend(row);
         Range {
-            start,
-            len: row.len() as u32,
+            start: start as u32,
+            len: (self.items.len() - start) as u32,
             of: PhantomData,
         }
     }
@@ -176,6 +197,73 @@ impl<T> Arena<T> {
     /// All names, in the order of addition.
     pub fn ids(&self) -> impl DoubleEndedIterator<Item = Id<T>> + use<T> {
         (0..self.items.len()).map(Id::new)
+    }
+}
+
+/// Some of an [`Arena`]'s elements.
+pub struct IdSet<T> {
+    /// A bit for each element.
+    bits: Vec<u64>,
+    of: PhantomData<fn() -> T>,
+}
+
+impl<T> Default for IdSet<T> {
+    fn default() -> Self {
+        IdSet {
+            bits: Vec::new(),
+            of: PhantomData,
+        }
+    }
+}
+
+impl<T> Clone for IdSet<T> {
+    fn clone(&self) -> Self {
+        IdSet {
+            bits: self.bits.clone(),
+            of: PhantomData,
+        }
+    }
+}
+
+impl<T> fmt::Debug for IdSet<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_set().entries(self.iter()).finish()
+    }
+}
+
+impl<T> IdSet<T> {
+    /// Adds an element; whether it was not there already.
+    pub fn insert(&mut self, id: Id<T>) -> bool {
+        let (word, bit) = (id.index() / 64, 1 << (id.index() % 64));
+        if word >= self.bits.len() {
+            self.bits.resize(word + 1, 0);
+        }
+        let before = self.bits[word];
+        self.bits[word] |= bit;
+        before & bit == 0
+    }
+
+    /// Whether an element is there.
+    pub fn contains(&self, id: Id<T>) -> bool {
+        let word = self.bits.get(id.index() / 64);
+        word.is_some_and(|word| word >> (id.index() % 64) & 1 != 0)
+    }
+
+    /// Whether an element is in both.
+    pub fn meets(&self, other: &Self) -> bool {
+        let mut words = self.bits.iter().zip(&other.bits);
+        words.any(|(one, other)| one & other != 0)
+    }
+
+    /// Removes all elements.
+    pub fn clear(&mut self) {
+        self.bits.clear();
+    }
+
+    /// The elements, in the order of their arena.
+    pub fn iter(&self) -> impl Iterator<Item = Id<T>> {
+        let all = 0..self.bits.len() * 64;
+        all.map(Id::new).filter(|&id| self.contains(id))
     }
 }
 

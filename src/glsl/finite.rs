@@ -115,7 +115,7 @@ impl Finder<'_> {
                 }
                 _ => {}
             }
-            prune::operands(self.function, id, &mut |operand| open.push(operand));
+            prune::operands(self.function, id, |operand| open.push(operand));
         }
     }
 
@@ -211,7 +211,7 @@ impl Finder<'_> {
         match self.number(bound) {
             // The step after the last must still be a number of the type.
             Some(bound) => (low..=high).contains(&(bound + step.by)),
-            None => is_strict && step.by.abs() == 1.0 && self.is_unchanged(bound, inside),
+            None => is_strict && step.by.abs() == 1.0 && self.is_unchanged(bound, step.of, inside),
         }
     }
 
@@ -234,12 +234,18 @@ impl Finder<'_> {
         largest.is_finite() && step.by.abs() > largest * f64::from(f32::EPSILON)
     }
 
-    /// Whether an expression has the same value in each round.
-    fn is_unchanged(&self, id: Id<Expr>, inside: &FxHashSet<Id<Local>>) -> bool {
+    /// Whether an expression has the same value in each round of a loop that changes `stepped` and
+    /// what is `inside`.
+    fn is_unchanged(
+        &self,
+        id: Id<Expr>,
+        stepped: Id<Local>,
+        inside: &FxHashSet<Id<Local>>,
+    ) -> bool {
         let mut open = vec![id];
         while let Some(id) = open.pop() {
             let is_fine = match self.expr(id) {
-                ExprKind::Local(local) => !inside.contains(&local),
+                ExprKind::Local(local) => local != stepped && !inside.contains(&local),
                 ExprKind::Global(global) => (self.uniforms)(global),
                 ExprKind::Assign(..)
                 | ExprKind::Compound(..)
@@ -250,7 +256,7 @@ impl Finder<'_> {
             if !is_fine {
                 return false;
             }
-            prune::operands(self.function, id, &mut |operand| open.push(operand));
+            prune::operands(self.function, id, |operand| open.push(operand));
         }
         true
     }

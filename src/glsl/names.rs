@@ -1,8 +1,9 @@
 //! Interned names.
 
-use std::sync::Arc;
+use std::hash::{Hash, Hasher};
 
-use rustc_hash::FxHashMap;
+use hashbrown::HashTable;
+use rustc_hash::FxHasher;
 
 /// A name of the program, interned: equal names are equal numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -18,26 +19,51 @@ impl Name {
 /// All names of one program.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
-    by_text: FxHashMap<Arc<str>, Name>,
-    texts: Vec<Arc<str>>,
+    by_text: HashTable<Name>,
+    spellings: Spellings,
+}
+
+/// The spellings of names, one behind the other.
+#[derive(Clone, Debug, Default)]
+struct Spellings {
+    text: String,
+    /// Where each ends.
+    ends: Vec<u32>,
+}
+
+impl Spellings {
+    fn get(&self, Name(index): Name) -> &str {
+        let end = |index: usize| self.ends[index] as usize;
+        let index = index as usize;
+        let start = if index == 0 { 0 } else { end(index - 1) };
+        &self.text[start..end(index)]
+    }
+}
+
+/// What a spelling is found by.
+pub(super) fn hash(text: &str) -> u64 {
+    let mut hasher = FxHasher::default();
+    text.hash(&mut hasher);
+    hasher.finish()
 }
 
 impl Names {
     /// The name with this spelling.
     pub fn intern(&mut self, text: &str) -> Name {
-        if let Some(&known) = self.by_text.get(text) {
-            return known;
-        }
-        let name = Name(self.texts.len() as u32);
-        let text: Arc<str> = text.into();
-        self.texts.push(text.clone());
-        self.by_text.insert(text, name);
-        name
+        self.intern_hashed(hash(text), text)
     }
 
-    /// The name with this spelling, if the program has it.
-    pub fn find(&self, text: &str) -> Option<Name> {
-        self.by_text.get(text).copied()
+    /// The same for a text whose [`hash`] is known.
+    pub(super) fn intern_hashed(&mut self, hashed: u64, text: &str) -> Name {
+        let spellings = &mut self.spellings;
+        if let Some(&known) = (self.by_text).find(hashed, |&name| spellings.get(name) == text) {
+            return known;
+        }
+        let name = Name(spellings.ends.len() as u32);
+        spellings.text.push_str(text);
+        spellings.ends.push(spellings.text.len() as u32);
+        (self.by_text).insert_unique(hashed, name, |&name| hash(spellings.get(name)));
+        name
     }
 
     /// How a name is spelled.
@@ -45,16 +71,16 @@ impl Names {
     /// # Panics
     /// When the name comes from another program.
     pub fn text(&self, name: Name) -> &str {
-        &self.texts[name.0 as usize]
+        self.spellings.get(name)
     }
 
     /// How many names there are.
     pub fn len(&self) -> usize {
-        self.texts.len()
+        self.spellings.ends.len()
     }
 
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
-        self.texts.is_empty()
+        self.len() == 0
     }
 }

@@ -1,9 +1,7 @@
 //! Finds what a program needs: from `main`, over its calls, to functions and global variables.
 //! Helpers that are pasted along but never called shall cost nothing and demand nothing.
 
-use rustc_hash::FxHashSet;
-
-use super::arena::Id;
+use super::arena::{Id, IdSet};
 use super::builtins::Builtin;
 use super::double;
 use super::hir::{
@@ -15,10 +13,12 @@ use super::hir::{
 pub struct Reachable {
     /// The functions, each behind those that it calls; `main` is the last.
     pub functions: Vec<Id<Function>>,
+    /// The expressions in the body of each, operands behind what uses them.
+    pub expressions: Vec<Vec<Id<Expr>>>,
     /// The global variables that they name, in order of declaration.
     pub globals: Vec<Id<Global>>,
     /// Those of the global variables that they may assign to.
-    pub written: FxHashSet<Id<Global>>,
+    pub written: IdSet<Global>,
     /// Whether [`Hir::initialisers`] sets any of them, and hence must be called.
     pub initialised: bool,
 }
@@ -36,7 +36,7 @@ impl Reachable {
             let mut before = Search::new(hir, built_in);
             before.add(initialisers);
             search.add(main);
-            if before.written.iter().any(|id| search.used.contains(id)) {
+            if before.written.meets(&search.used) {
                 before.add(main);
                 before.initialised = true;
                 search = before;
@@ -51,11 +51,20 @@ impl Reachable {
 struct Search<'a> {
     hir: &'a Hir,
     built_in: &'a double::Functions,
-    seen: FxHashSet<Id<Function>>,
+    seen: IdSet<Function>,
     functions: Vec<Id<Function>>,
-    used: FxHashSet<Id<Global>>,
-    written: FxHashSet<Id<Global>>,
+    expressions: Vec<Vec<Id<Expr>>>,
+    used: IdSet<Global>,
+    written: IdSet<Global>,
     initialised: bool,
+}
+
+/// A function of which not all callees have been added yet.
+struct Visit {
+    function: Id<Function>,
+    expressions: Vec<Id<Expr>>,
+    /// What it calls and what is still to be added, the last first.
+    callees: Vec<Id<Function>>,
 }
 
 impl<'a> Search<'a> {
@@ -63,10 +72,11 @@ impl<'a> Search<'a> {
         Search {
             hir,
             built_in,
-            seen: FxHashSet::default(),
+            seen: IdSet::default(),
             functions: Vec::new(),
-            used: FxHashSet::default(),
-            written: FxHashSet::default(),
+            expressions: Vec::new(),
+            used: IdSet::default(),
+            written: IdSet::default(),
             initialised: false,
         }
     }
@@ -75,30 +85,31 @@ impl<'a> Search<'a> {
     fn add(&mut self, root: Id<Function>) {
         let mut open = Vec::new();
         if self.seen.insert(root) {
-            open.push((root, self.visit(root)));
+            open.push(self.visit(root));
         }
-        while let Some((function, callees)) = open.last_mut() {
-            let function = *function;
-            match callees.pop() {
+        while let Some(visit) = open.last_mut() {
+            match visit.callees.pop() {
                 Some(callee) => {
                     if self.seen.insert(callee) {
-                        let callees = self.visit(callee);
-                        open.push((callee, callees));
+                        open.push(self.visit(callee));
                     }
                 }
                 None => {
-                    self.functions.push(function);
+                    self.functions.push(visit.function);
+                    self.expressions
+                        .push(std::mem::take(&mut visit.expressions));
                     open.pop();
                 }
             }
         }
     }
 
-    /// Notes the globals of a function and returns what it calls.
-    fn visit(&mut self, id: Id<Function>) -> Vec<Id<Function>> {
+    /// Notes the globals of a function and finds what it calls.
+    fn visit(&mut self, id: Id<Function>) -> Visit {
         let function = &self.hir.functions[id];
         let mut callees = Vec::new();
-        for id in expressions(function) {
+        let expressions = expressions_in(function, &function.body);
+        for &id in &expressions {
             match function.exprs[id].kind {
                 ExprKind::Global(global) => {
                     self.used.insert(global);
@@ -128,7 +139,11 @@ impl<'a> Search<'a> {
         }
         // The first call in the text comes first in the list.
         callees.reverse();
-        callees
+        Visit {
+            function: id,
+            expressions,
+            callees,
+        }
     }
 
     fn write(&mut self, function: &Function, place: Id<Expr>) {
@@ -145,11 +160,10 @@ impl<'a> Search<'a> {
                 self.written.insert(id);
             }
         }
-        let mut globals: Vec<_> = self.used.into_iter().collect();
-        globals.sort_unstable();
         Reachable {
             functions: self.functions,
-            globals,
+            expressions: self.expressions,
+            globals: self.used.iter().collect(),
             written: self.written,
             initialised: self.initialised,
         }
@@ -166,28 +180,24 @@ pub fn root(function: &Function, mut id: Id<Expr>) -> Id<Expr> {
     id
 }
 
-/// Every expression that a function's body contains, operands behind what uses them.
-pub fn expressions(function: &Function) -> Vec<Id<Expr>> {
-    expressions_in(function, &function.body)
-}
-
 /// Every expression that some of a function's statements contain, operands behind what uses them.
 pub fn expressions_in(function: &Function, body: &[Stmt]) -> Vec<Id<Expr>> {
     let mut roots = Vec::new();
     statement_roots(body, &mut roots);
-    let mut found = Vec::with_capacity(roots.len() * 4);
+    let mut found = Vec::with_capacity(roots.len() * 8);
     roots.reverse();
     while let Some(id) = roots.pop() {
         found.push(id);
         let first = roots.len();
-        operands(function, id, &mut |operand| roots.push(operand));
+        operands(function, id, |operand| roots.push(operand));
         roots[first..].reverse();
     }
     found
 }
 
 /// Calls back with every operand of an expression, from left to right.
-pub fn operands(function: &Function, id: Id<Expr>, each: &mut dyn FnMut(Id<Expr>)) {
+#[inline]
+pub fn operands(function: &Function, id: Id<Expr>, mut each: impl FnMut(Id<Expr>)) {
     match function.exprs[id].kind {
         ExprKind::Constant(_) | ExprKind::Local(_) | ExprKind::Global(_) => {}
         ExprKind::Unary(_, a)

@@ -1,7 +1,7 @@
 //! Calls of functions, §6.1: the author's own and the built-in ones.
 
 use super::scope::Symbol;
-use super::{Checker, Typed};
+use super::{Arguments, Checker, Typed, Types};
 use crate::glsl::arena::Id;
 use crate::glsl::builtins::Builtin;
 use crate::glsl::fold;
@@ -14,17 +14,29 @@ use crate::glsl::types::{Base, Type};
 const OFFSETS: std::ops::RangeInclusive<i32> = -8..=7;
 
 impl Checker<'_> {
+    /// Checks all arguments of a call, whether or not one is wrong.
+    pub(super) fn arguments(&mut self, arguments: &[Id<ast::Expr>]) -> Option<Arguments> {
+        let mut checked = Arguments::new();
+        let mut are_fine = true;
+        for &argument in arguments {
+            match self.expression(argument) {
+                Some(argument) => checked.push(argument),
+                None => are_fine = false,
+            }
+        }
+        are_fine.then_some(checked)
+    }
+
     pub(super) fn call(
         &mut self,
         name: Name,
         arguments: &[Id<ast::Expr>],
         expr: &ast::Expr,
     ) -> Option<Typed> {
-        let arguments: Vec<_> = arguments.iter().map(|&one| self.expression(one)).collect();
+        let arguments = self.arguments(arguments);
         let at = Extent::of(expr.at);
         let is_function = match self.scopes.find(name) {
             Some(Symbol::Struct(id)) => {
-                let arguments: Option<Vec<_>> = arguments.into_iter().collect();
                 return self.construct(Type::of(Base::Struct(id)), &arguments?, expr.extent);
             }
             Some(Symbol::Function) => true,
@@ -37,9 +49,8 @@ impl Checker<'_> {
                 return None;
             }
         };
-        let arguments: Option<Vec<_>> = arguments.into_iter().collect();
         let arguments = arguments?;
-        let types: Vec<Type> = arguments.iter().map(|argument| argument.ty).collect();
+        let types: Types = arguments.iter().map(|argument| argument.ty).collect();
         if is_function {
             let key = (name, types);
             if let Some(&index) = self.overloads.get(&key) {
@@ -62,9 +73,8 @@ impl Checker<'_> {
     fn call_own(&mut self, index: usize, arguments: &[Typed], expr: &ast::Expr) -> Option<Typed> {
         let signature = &self.signatures[index];
         let (id, result) = (signature.id, signature.result);
-        let directions: Vec<Direction> = signature.directions().collect();
-        for (&argument, direction) in arguments.iter().zip(directions) {
-            if direction != Direction::In {
+        for (i, &argument) in arguments.iter().enumerate() {
+            if self.signatures[index].direction(i) != Direction::In {
                 let extent = self.function.exprs[argument.id].extent;
                 self.require_place(argument, extent)?;
             }
@@ -133,13 +143,11 @@ impl Checker<'_> {
             self.check_offset(arguments[index])?;
         }
         self.warn_about_values(builtin, arguments, expr.extent);
-        let constants: Option<Vec<fold::Operand<'_>>> = arguments
-            .iter()
-            .map(|&argument| self.operand(argument))
-            .collect();
-        if let Some(constants) = constants
-            && let Some(values) = fold::builtin(builtin, &constants, result, self.options.precision)
-        {
+        let precision = self.options.precision;
+        let folded = self
+            .constant_operands(arguments)
+            .and_then(|constants| fold::builtin(builtin, &constants, result, precision));
+        if let Some(values) = folded {
             return Some(self.constant(result, &values, expr.extent));
         }
         let operands = self.operands(arguments);

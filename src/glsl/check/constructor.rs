@@ -20,9 +20,8 @@ impl Checker<'_> {
         expr: &ast::Expr,
     ) -> Option<Typed> {
         let resolved = self.resolve(ty);
-        let arguments: Vec<_> = arguments.iter().map(|&one| self.expression(one)).collect();
+        let arguments = self.arguments(arguments);
         let (base, length) = resolved?;
-        let arguments: Option<Vec<_>> = arguments.into_iter().collect();
         let arguments = arguments?;
         let ty = match length {
             Length::None => Type::of(base),
@@ -55,12 +54,11 @@ impl Checker<'_> {
             }
             return None;
         }
-        let constants: Option<Vec<fold::Operand<'_>>> = arguments
-            .iter()
-            .map(|&argument| self.operand(argument))
-            .collect();
-        if let Some(constants) = constants {
-            let values = fold::construct(&self.hir.structs, ty, &constants, self.options.precision);
+        let precision = self.options.precision;
+        let folded = self
+            .constant_operands(arguments)
+            .map(|constants| fold::construct(&self.hir.structs, ty, &constants, precision));
+        if let Some(values) = folded {
             return Some(self.constant(ty, &values, extent));
         }
         let operands = self.operands(arguments);

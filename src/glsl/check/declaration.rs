@@ -32,7 +32,7 @@ impl Checker<'_> {
                 self.set_precision(base, is_array, Extent::of(*at));
             }
             Declaration::Variables { ty, declarators } => {
-                self.variables(ty, declarators, block);
+                self.variables(ty, self.ast.declarators.get(*declarators), block);
             }
             Declaration::Prototype(header) if self.is_global() => {
                 self.function_header(header);
@@ -184,7 +184,7 @@ impl Checker<'_> {
         block: &mut hir::Block,
     ) {
         let at = Extent::of(declarator.at);
-        let length = resolved.and_then(|(_, inner)| self.length(&declarator.sizes, inner));
+        let length = resolved.and_then(|(_, inner)| self.length(declarator.sizes, inner));
         // The variable's scope begins behind its initialiser.
         let init = declarator.init.map(|init| self.expression(init));
         self.check_name(declarator.name, at);

@@ -49,12 +49,14 @@ impl Checker<'_> {
             ast::ExprKind::Comma(left, right) => self.comma(*left, *right, expr),
             ast::ExprKind::Index(base, index) => self.index(*base, *index, expr),
             ast::ExprKind::Member(base, name) => self.member(*base, *name, expr),
-            ast::ExprKind::Call(Callee::Name(name), arguments) => self.call(*name, arguments, expr),
+            ast::ExprKind::Call(Callee::Name(name), arguments) => {
+                self.call(*name, ast.arguments.get(*arguments), expr)
+            }
             ast::ExprKind::Call(Callee::Type(ty), arguments) => {
-                self.construct_written(ty, arguments, expr)
+                self.construct_written(&ast.types[*ty], ast.arguments.get(*arguments), expr)
             }
             ast::ExprKind::Call(Callee::Method(base, name), arguments) => {
-                self.method(*base, *name, arguments, expr)
+                self.method(*base, *name, ast.arguments.get(*arguments), expr)
             }
         }
     }

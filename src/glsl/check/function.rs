@@ -6,7 +6,7 @@ use super::flow::Flow;
 use super::qualifier::Storage;
 use super::scope::Symbol;
 use super::specifier::Length;
-use super::{Checker, no_operands};
+use super::{Checker, Types, no_operands};
 use crate::glsl::arena::{Arena, Id};
 use crate::glsl::hir::{self, Direction};
 use crate::glsl::names::Name;
@@ -43,8 +43,9 @@ struct Parameter {
 }
 
 impl Signature {
-    pub fn directions(&self) -> impl Iterator<Item = Direction> {
-        self.parameters.iter().map(|parameter| parameter.direction)
+    /// How a parameter is passed.
+    pub fn direction(&self, parameter: usize) -> Direction {
+        self.parameters[parameter].direction
     }
 }
 
@@ -114,8 +115,9 @@ impl Checker<'_> {
         if is_main && result != Type::VOID {
             self.error("main", "`main` returns nothing", at);
         }
-        let types = parameters.iter().map(|parameter| parameter.ty).collect();
-        if let Some(&index) = self.overloads.get(&(header.name, types)) {
+        let types: Types = parameters.iter().map(|parameter| parameter.ty).collect();
+        let key = (header.name, types);
+        if let Some(&index) = self.overloads.get(&key) {
             self.check_redeclaration(index, result, &parameters, at);
             self.signatures[index].parameters = parameters;
             return Some(index);
@@ -128,9 +130,8 @@ impl Checker<'_> {
         if is_main {
             self.hir.main = Some(id);
         }
-        let types = parameters.iter().map(|parameter| parameter.ty).collect();
         let index = self.signatures.len();
-        self.overloads.insert((header.name, types), index);
+        self.overloads.insert(key, index);
         self.signatures.push(Signature {
             name: header.name,
             at: header.at,
@@ -181,7 +182,7 @@ impl Checker<'_> {
         }
         let (base, length) = self.resolve(&parameter.ty.ty)?;
         self.check_precision(precision, base, parameter.ty.ty.extent);
-        let length = self.length(&parameter.sizes, length)?;
+        let length = self.length(parameter.sizes, length)?;
         if base == Base::Void {
             self.error("void", "a parameter cannot be `void`", at);
             return None;
@@ -286,7 +287,14 @@ impl Checker<'_> {
             self.error_with_hint("too-large", message, at, "put some into a structure");
         }
         let mut block = Vec::new();
-        if let StmtKind::Block(statements) = &self.ast.stmts[body].kind {
+        if let StmtKind::Block(statements) = self.ast.stmts[body].kind {
+            let statements = self.ast.bodies.get(statements);
+            block.reserve(statements.len());
+            // An expression has two tokens or so.
+            let Extent { first, last } = self.ast.stmts[body].extent;
+            let expressions = (last - first) as usize / 2;
+            self.function.exprs.reserve(expressions);
+            self.details.reserve(expressions);
             for &statement in statements {
                 self.statement(statement, &mut block);
             }
@@ -319,7 +327,7 @@ impl Checker<'_> {
             .iter()
             .skip(parameters)
             .filter(|(id, local)| {
-                !local.written && self.named.contains(id) && !self.initialised.contains(id)
+                !local.written && self.named.contains(*id) && !self.initialised.contains(*id)
             })
             .filter_map(|(_, local)| Some((local.name?, local.at)))
             .collect();

@@ -22,9 +22,10 @@ mod structure;
 mod suggestion;
 
 use rustc_hash::{FxHashMap, FxHashSet};
+use smallvec::SmallVec;
 
 use super::Precision;
-use super::arena::{Id, Pool};
+use super::arena::{Id, IdSet, Pool};
 use super::builtins::Builtin;
 use super::fold;
 use super::hir::{self, Constant, ExprKind, Hir, Value};
@@ -78,8 +79,8 @@ pub fn check(ast: &mut Ast, places: Places<'_, '_>, options: Options) -> Checked
         warnings: 0,
         function: function::empty(),
         details: Vec::new(),
-        named: FxHashSet::default(),
-        initialised: FxHashSet::default(),
+        named: IdSet::default(),
+        initialised: IdSet::default(),
         constant_parameters: FxHashSet::default(),
         signatures: Vec::new(),
         overloads: FxHashMap::default(),
@@ -121,14 +122,14 @@ struct Checker<'a> {
     /// About each expression of `function`.
     details: Vec<Detail>,
     /// Variables of `function` that are named anywhere, and those that begin with a value.
-    named: FxHashSet<Id<hir::Local>>,
-    initialised: FxHashSet<Id<hir::Local>>,
+    named: IdSet<hir::Local>,
+    initialised: IdSet<hir::Local>,
     /// Parameters of `function` that are `const`.
     constant_parameters: FxHashSet<Id<hir::Local>>,
     /// Every function that was declared.
     signatures: Vec<Signature>,
     /// Functions by name and parameters.
-    overloads: FxHashMap<(Name, Vec<Type>), usize>,
+    overloads: FxHashMap<(Name, Types), usize>,
     /// The function whose body is being checked; `None` at global scope.
     current: Option<usize>,
     /// Whether a `return` with a value was seen in it.
@@ -150,6 +151,15 @@ struct Checker<'a> {
     /// Whether a structure's members are being checked.
     in_structure: bool,
 }
+
+/// Arguments of a call; mostly there are few.
+type Arguments = SmallVec<[Typed; 4]>;
+
+/// Their values.
+type Operands<'a> = SmallVec<[fold::Operand<'a>; 4]>;
+
+/// Their types.
+type Types = SmallVec<[Type; 4]>;
 
 /// What is known about an expression beyond what the [`Hir`] holds.
 #[derive(Clone, Copy, Debug)]
@@ -355,13 +365,19 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// The same of several; `None` unless all are constant.
+    fn constant_operands(&self, of: &[Typed]) -> Option<Operands<'_>> {
+        // Asked first, so that nothing is collected in vain.
+        let all = of.iter().all(|one| one.value.is_some());
+        all.then(|| of.iter().filter_map(|&one| self.operand(one)).collect())
+    }
+
     fn has_effects(&self, of: Typed) -> bool {
         self.details[of.id.index()].has_effects
     }
 
     fn operands(&mut self, of: &[Typed]) -> hir::Operands {
-        let ids: Vec<_> = of.iter().map(|one| one.id).collect();
-        self.function.operands.add(&ids)
+        self.function.operands.extend(of.iter().map(|one| one.id))
     }
 
     /// Whether a sampler is or is in a value of this type.

@@ -2,7 +2,7 @@
 
 use super::Checker;
 use super::scope::Symbol;
-use crate::glsl::syntax::ast::{ArraySize, Extent, TypeKind, TypeSpecifier};
+use crate::glsl::syntax::ast::{ArraySize, Extent, Sizes, TypeKind, TypeSpecifier};
 use crate::glsl::types::{Base, Type};
 
 /// The number of elements that a type is written with.
@@ -40,12 +40,16 @@ impl Checker<'_> {
                 }
             },
         };
-        let length = self.length(&ty.sizes, Length::None);
+        let length = self.length(ty.sizes, Length::None);
         Some((base?, length?))
     }
 
     /// The length that sizes give, behind a type or a name; `inner` is what the type has already.
-    pub(super) fn length(&mut self, sizes: &[ArraySize], inner: Length) -> Option<Length> {
+    pub(super) fn length(&mut self, sizes: Sizes, inner: Length) -> Option<Length> {
+        if sizes.is_empty() {
+            return Some(inner);
+        }
+        let sizes = self.ast.sizes.get(sizes);
         let mut lengths = Vec::with_capacity(sizes.len());
         for size in sizes {
             lengths.push(match size.size {
@@ -63,10 +67,7 @@ impl Checker<'_> {
             self.error_with_hint("array-of-arrays", message, Extent::of(second.at), hint);
             return None;
         }
-        match lengths.pop() {
-            Some(length) => length,
-            None => Some(inner),
-        }
+        lengths.pop()?
     }
 
     fn array_size(&mut self, size: &ArraySize) -> Option<u32> {

@@ -26,12 +26,15 @@ impl Checker<'_> {
                 }
                 StmtKind::Expression(value.id)
             }
-            ast::StmtKind::Declaration(declaration) => return self.declaration(declaration, block),
+            ast::StmtKind::Declaration(declaration) => {
+                return self.declaration(&ast.declarations[*declaration], block);
+            }
             ast::StmtKind::Block(statements) => {
                 self.scopes.open();
                 self.flow.open(Frame::Scope);
                 self.flow.depth += 1;
-                let mut inner = Vec::new();
+                let statements = ast.bodies.get(*statements);
+                let mut inner = Vec::with_capacity(statements.len());
                 for &statement in statements {
                     self.statement(statement, &mut inner);
                 }
@@ -43,7 +46,7 @@ impl Checker<'_> {
             }
             ast::StmtKind::If { .. } => return self.if_statement(id, block),
             ast::StmtKind::Switch { selector, body } => {
-                match self.switch(*selector, body, extent) {
+                match self.switch(*selector, ast.bodies.get(*body), extent) {
                     Some(kind) => kind,
                     None => return,
                 }
@@ -104,14 +107,13 @@ impl Checker<'_> {
 
     /// A statement whose braces, if it has any, open no scope: a loop's body.
     fn unscoped(&mut self, id: Id<ast::Stmt>) -> Block {
-        let mut block = Vec::new();
-        match &self.ast.stmts[id].kind {
-            ast::StmtKind::Block(statements) => {
-                for &statement in statements {
-                    self.statement(statement, &mut block);
-                }
-            }
-            _ => self.statement(id, &mut block),
+        let statements = match self.ast.stmts[id].kind {
+            ast::StmtKind::Block(statements) => self.ast.bodies.get(statements),
+            _ => &[id],
+        };
+        let mut block = Vec::with_capacity(statements.len());
+        for &statement in statements {
+            self.statement(statement, &mut block);
         }
         block
     }
@@ -350,14 +352,11 @@ impl Checker<'_> {
                 }
                 (None, value.and_then(|value| self.require_bool(value, what)))
             }
-            Condition::Declaration(ty, declarator) => {
+            Condition::Declaration(declaration) => {
                 let mut block = Vec::new();
-                let declaration = ast::Declaration::Variables {
-                    ty: ty.clone(),
-                    declarators: vec![declarator.clone()],
-                };
                 let before = self.errors;
-                self.declaration(&declaration, &mut block);
+                let declaration = &self.ast.declarations[*declaration];
+                self.declaration(declaration, &mut block);
                 match block.pop().map(|statement| statement.kind) {
                     Some(StmtKind::Declare(local, Some(init))) => {
                         let ty = self.function.exprs[init].ty;
@@ -370,13 +369,22 @@ impl Checker<'_> {
                     }
                     // A constant was declared: its value is the condition.
                     _ if self.errors == before => {
-                        let value = declarator.init.and_then(|init| self.expression(init));
+                        let init = self.only_initialiser(declaration);
+                        let value = init.and_then(|init| self.expression(init));
                         (None, value.and_then(|value| self.require_bool(value, what)))
                     }
                     _ => (None, None),
                 }
             }
         }
+    }
+
+    /// The initialiser of a declaration of one variable.
+    fn only_initialiser(&self, declaration: &ast::Declaration) -> Option<Id<ast::Expr>> {
+        let ast::Declaration::Variables { declarators, .. } = declaration else {
+            return None;
+        };
+        self.ast.declarators.get(*declarators).first()?.init
     }
 
     fn while_loop(

@@ -85,7 +85,7 @@ impl Checker<'_> {
                 continue;
             };
             self.check_precision(qualifiers, base, group.ty.ty.extent);
-            for declarator in &group.declarators {
+            for declarator in self.ast.declarators.get(group.declarators) {
                 match self.field_of(base, length, declarator) {
                     Some(field) => {
                         if !seen.insert(field.name) {
@@ -105,7 +105,7 @@ impl Checker<'_> {
     fn field_of(&mut self, base: Base, length: Length, declarator: &Declarator) -> Option<Field> {
         let at = Extent::of(declarator.at);
         self.check_name(declarator.name, at);
-        let length = self.length(&declarator.sizes, length)?;
+        let length = self.length(declarator.sizes, length)?;
         if base == Base::Void {
             self.error("void", "a member cannot be `void`", at);
             return None;
@@ -169,7 +169,8 @@ impl Checker<'_> {
         }
         let names: Vec<(Name, TokenIndex)> = members
             .iter()
-            .flat_map(|group| group.declarators.iter().map(|one| (one.name, one.at)))
+            .flat_map(|group| self.ast.declarators.get(group.declarators))
+            .map(|one| (one.name, one.at))
             .collect();
         let Some(id) = self.add_structure(Some(name), fields, extent) else {
             return;
@@ -178,7 +179,7 @@ impl Checker<'_> {
         if let Some(instance) = instance
             && !instance.sizes.is_empty()
         {
-            let Some(Length::Of(length)) = self.length(&instance.sizes, Length::None) else {
+            let Some(Length::Of(length)) = self.length(instance.sizes, Length::None) else {
                 return;
             };
             ty = ty.array_of(length);

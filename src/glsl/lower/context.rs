@@ -12,7 +12,7 @@ use crate::glsl::builtins::Builtin;
 use crate::glsl::hir::{
     Constant, Direction, Expr, ExprKind, Extent, Function, Global, GlobalKind, Hir, Local,
 };
-use crate::glsl::prune::{self, Reachable};
+use crate::glsl::prune::Reachable;
 use crate::glsl::types::{Scalar, Type};
 
 pub(super) struct Context<'a> {
@@ -78,8 +78,8 @@ impl<'a> Context<'a> {
             operations: 0,
             excess: None,
         };
-        for &id in &reachable.functions {
-            context.analyse(id);
+        for (&id, expressions) in reachable.functions.iter().zip(&reachable.expressions) {
+            context.analyse(id, expressions);
         }
         context.add_uniforms();
         for &id in &reachable.globals {
@@ -89,10 +89,10 @@ impl<'a> Context<'a> {
     }
 
     /// Notes what has to be known of a function before any is lowered, but for those it calls.
-    fn analyse(&mut self, id: Id<Function>) {
+    fn analyse(&mut self, id: Id<Function>, expressions: &[Id<Expr>]) {
         let hir = self.hir;
         let function = &hir.functions[id];
-        for expr in prune::expressions(function) {
+        for &expr in expressions {
             let Expr { kind, ty, .. } = function.exprs[expr];
             match kind {
                 ExprKind::Constant(constant) => self.reserve_table(constant, ty),
@@ -121,7 +121,7 @@ impl<'a> Context<'a> {
 
     fn add_global(&mut self, id: Id<Global>) {
         let global = &self.hir.globals[id];
-        let written = self.reachable.written.contains(&id);
+        let written = self.reachable.written.contains(id);
         let binding = match global.kind {
             GlobalKind::Private(Some(constant)) if !written => {
                 self.reserve_table(constant, global.ty);

@@ -298,29 +298,28 @@ impl Builder<'_, '_> {
 
     pub(super) fn compose(&mut self, ty: Type, mut components: Vec<H>) -> H {
         if ty.is_vector() {
-            let scalar = ty.scalar().expect("vectors have components");
-            components = components
-                .into_iter()
-                .flat_map(|component| self.without_zero_vector(component, scalar))
-                .collect();
+            // Among constants naga's SPIR-V writer takes a zero vector for one component.
+            while let Some((at, size)) = self.find_zero_vector(&components) {
+                let scalar = ty.scalar().expect("vectors have components");
+                let zero = self.number(0, scalar);
+                components.splice(at..=at, std::iter::repeat_n(zero, size));
+            }
         }
         let ty = self.context.ty(ty);
         self.add(Expression::Compose { ty, components })
     }
 
-    /// The components of a zero vector; anything else as it is. Among constants naga's SPIR-V writer
-    /// takes such a vector for one component.
-    fn without_zero_vector(&mut self, value: H, scalar: Scalar) -> Vec<H> {
-        let Expression::ZeroValue(ty) = self.function.expressions[value] else {
-            return vec![value];
-        };
-        match self.context.module.types[ty].inner {
-            naga::TypeInner::Vector { size, .. } => {
-                let zero = self.number(0, scalar);
-                vec![zero; size as usize]
+    /// Which of some values is a zero vector, and how many components it has.
+    fn find_zero_vector(&self, values: &[H]) -> Option<(usize, usize)> {
+        values.iter().enumerate().find_map(|(at, &value)| {
+            let Expression::ZeroValue(ty) = self.function.expressions[value] else {
+                return None;
+            };
+            match self.context.module.types[ty].inner {
+                naga::TypeInner::Vector { size, .. } => Some((at, size as usize)),
+                _ => None,
             }
-            _ => vec![value],
-        }
+        })
     }
 
     /// A part of a value, or the pointer to a part, whose place is known.

@@ -260,7 +260,7 @@ impl Builder<'_, '_> {
             | ExprKind::Call(..) => return None,
         };
         let mut rest = budget.checked_sub(own);
-        prune::operands(self.source, id, &mut |operand| {
+        prune::operands(self.source, id, |operand| {
             if self.source.exprs[operand].ty.sampler().is_none() {
                 rest = rest.and_then(|rest| self.cost(operand, rest));
             }
@@ -313,7 +313,7 @@ impl Builder<'_, '_> {
             _ => {
                 let mut any = false;
                 let source = self.source;
-                prune::operands(source, id, &mut |operand| {
+                prune::operands(source, id, |operand| {
                     any = any || self.has_effect(operand);
                 });
                 any

@@ -25,6 +25,7 @@ pub fn parse(text: &str) -> Result<Number, NumberError> {
     match text.as_bytes() {
         // Most integers by far are a single digit.
         [digit @ b'0'..=b'9'] => Ok(Number::Int(u32::from(digit - b'0'))),
+        bytes if let Some(value) = short_float(bytes) => Ok(Number::Float(value)),
         _ if is_float(text) => {
             let digits = text.strip_suffix(['f', 'F']).unwrap_or(text);
             digits
@@ -58,6 +59,28 @@ fn integer(text: &str) -> Result<Number, NumberError> {
         Some(_) => Number::Uint(bits),
         None => Number::Int(bits),
     })
+}
+
+/// The value of a float of a few digits and a point, as most are. Whole numbers and powers of ten up
+/// to 10¹⁵ are exact in 64 bits, so that the quotient is as near as can be.
+fn short_float(text: &[u8]) -> Option<f64> {
+    const POWERS: [f64; 16] = [
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+    ];
+    if !(2..=POWERS.len()).contains(&text.len()) {
+        return None;
+    }
+    let mut whole = 0_u64;
+    let mut point = None;
+    for (at, byte) in text.iter().enumerate() {
+        match byte {
+            b'0'..=b'9' => whole = whole * 10 + u64::from(byte - b'0'),
+            b'.' if point.is_none() => point = Some(at),
+            _ => return None,
+        }
+    }
+    let decimals = text.len() - 1 - point?;
+    Some(whole as f64 / POWERS[decimals])
 }
 
 fn is_float(text: &str) -> bool {

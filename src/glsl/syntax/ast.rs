@@ -1,7 +1,7 @@
 //! What the parser makes of the tokens: the text's shape, no meaning yet. A name may turn out to be a
 //! variable, a function or a type; a number has a value but an expression has no type.
 
-use crate::glsl::arena::{Arena, Id};
+use crate::glsl::arena::{Arena, Id, Pool, Range};
 use crate::glsl::names::{Name, Names};
 use crate::glsl::types::{Base, Type};
 
@@ -34,8 +34,20 @@ pub struct Ast {
     pub names: Names,
     /// Every expression; operands come before what uses them.
     pub exprs: Arena<Expr>,
+    /// Arguments of calls.
+    pub arguments: Pool<Id<Expr>>,
     /// Every statement; parts come before the whole.
     pub stmts: Arena<Stmt>,
+    /// Statements of blocks.
+    pub bodies: Pool<Id<Stmt>>,
+    /// What is declared in functions.
+    pub declarations: Arena<Declaration>,
+    /// Variables and members.
+    pub declarators: Pool<Declarator>,
+    /// Types of constructors.
+    pub types: Arena<TypeSpecifier>,
+    /// Sizes of arrays.
+    pub sizes: Pool<ArraySize>,
     /// What stands at global scope, in order.
     pub items: Vec<Item>,
 }
@@ -76,7 +88,7 @@ pub struct Parameter {
     /// Where its name stands, or else its type.
     pub at: TokenIndex,
     /// Sizes behind the name.
-    pub sizes: Vec<ArraySize>,
+    pub sizes: Sizes,
 }
 
 /// A declaration, at global scope or in a function.
@@ -96,7 +108,7 @@ pub enum Declaration {
         /// The type of all.
         ty: QualifiedType,
         /// The variables; there may be none.
-        declarators: Vec<Declarator>,
+        declarators: Range<Declarator>,
     },
     /// A function without its body.
     Prototype(Header),
@@ -123,17 +135,20 @@ pub enum Declaration {
 }
 
 /// One declared variable.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Declarator {
     /// Its name.
     pub name: Name,
     /// Where its name stands.
     pub at: TokenIndex,
     /// Sizes behind the name.
-    pub sizes: Vec<ArraySize>,
+    pub sizes: Sizes,
     /// What it is set to.
     pub init: Option<Id<Expr>>,
 }
+
+/// What stands in brackets behind a type or a name: a row in [`Ast::sizes`].
+pub type Sizes = Range<ArraySize>;
 
 /// `[3]` or `[]`.
 #[derive(Clone, Copy, Debug)]
@@ -206,7 +221,7 @@ pub struct TypeSpecifier {
     /// The type's name.
     pub kind: TypeKind,
     /// Sizes behind it: `float[3]`.
-    pub sizes: Vec<ArraySize>,
+    pub sizes: Sizes,
     /// All of it.
     pub extent: Extent,
 }
@@ -239,11 +254,11 @@ pub struct Members {
     /// Their type.
     pub ty: QualifiedType,
     /// Their names; none has an initialiser.
-    pub declarators: Vec<Declarator>,
+    pub declarators: Range<Declarator>,
 }
 
 /// An expression.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Expr {
     /// What it is.
     pub kind: ExprKind,
@@ -254,7 +269,7 @@ pub struct Expr {
 }
 
 /// The kinds of expression, §5.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum ExprKind {
     /// A variable, or something that only the checker can tell.
     Name(Name),
@@ -290,16 +305,16 @@ pub enum ExprKind {
     /// `base.name`
     Member(Id<Expr>, Name),
     /// `callee(arguments)`; a lone `void` is written as no arguments.
-    Call(Callee, Vec<Id<Expr>>),
+    Call(Callee, Range<Id<Expr>>),
 }
 
 /// What is called.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum Callee {
     /// A function, or a structure's constructor.
     Name(Name),
     /// A constructor: `vec2`, `float[3]`, `S[]`.
-    Type(TypeSpecifier),
+    Type(Id<TypeSpecifier>),
     /// `a.length`
     Method(Id<Expr>, Name),
 }
@@ -382,7 +397,7 @@ impl BinaryOp {
 }
 
 /// A statement.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Stmt {
     /// What it is.
     pub kind: StmtKind,
@@ -391,16 +406,16 @@ pub struct Stmt {
 }
 
 /// The kinds of statement, §6.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum StmtKind {
     /// `;`
     Empty,
     /// `a = b;`
     Expression(Id<Expr>),
     /// Variables, a structure, a precision, or a prototype (which is not allowed in a function).
-    Declaration(Declaration),
+    Declaration(Id<Declaration>),
     /// `{ … }`
-    Block(Vec<Id<Stmt>>),
+    Block(Range<Id<Stmt>>),
     /// `if (condition) then else other`
     If {
         /// The condition.
@@ -415,7 +430,7 @@ pub enum StmtKind {
         /// What is compared.
         selector: Id<Expr>,
         /// Labels and statements in order.
-        body: Vec<Id<Stmt>>,
+        body: Range<Id<Stmt>>,
     },
     /// `case 1:`, or `default:` with `None`.
     Label(Option<Id<Expr>>),
@@ -455,19 +470,19 @@ pub enum StmtKind {
 }
 
 /// What `while` or `for` goes by.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum Condition {
     /// An expression.
     Expression(Id<Expr>),
-    /// `bool b = …`, with the initialiser always present.
-    Declaration(QualifiedType, Declarator),
+    /// `bool b = …`: one variable, with the initialiser always present.
+    Declaration(Id<Declaration>),
 }
 
 impl TypeSpecifier {
     /// The type, if it is one that the language has a keyword for and no array.
     pub fn basic(&self) -> Option<Type> {
-        match (&self.kind, &*self.sizes) {
-            (TypeKind::Basic(base), []) => Some(Type::of(*base)),
+        match &self.kind {
+            TypeKind::Basic(base) if self.sizes.is_empty() => Some(Type::of(*base)),
             _ => None,
         }
     }

@@ -1,8 +1,10 @@
 //! Declarations, §4 and §6.1.
 
+use smallvec::SmallVec;
+
 use super::ast::{
     Declaration, Declarator, Header, Item, Parameter, QualifiedType, Qualifier, QualifierKind,
-    TokenIndex, TypeKind,
+    Sizes, TokenIndex, TypeKind,
 };
 use super::lexeme::{Lexeme, Symbol};
 use super::parser::{Failed, Parse, Parser};
@@ -17,6 +19,9 @@ pub(super) enum Declared {
     /// The `{` of the body is at hand.
     Function(Header),
 }
+
+/// Declarators that belong together; mostly there is one.
+pub(super) type Declarators = SmallVec<[Declarator; 4]>;
 
 pub(super) const LIST_OR_END: &str = "`,` or `;`";
 
@@ -142,7 +147,7 @@ impl Parser<'_> {
     }
 
     fn variables(&mut self, ty: QualifiedType) -> Parse<Declaration> {
-        let mut declarators = Vec::new();
+        let mut declarators = Declarators::new();
         match self.peek() {
             Lexeme::Name(_) => declarators.push(self.declarator()?),
             Lexeme::Symbol(Symbol::Comma | Symbol::Semicolon) => {}
@@ -163,6 +168,7 @@ impl Parser<'_> {
             declarators.push(self.declarator()?);
         }
         self.semicolon(LIST_OR_END)?;
+        let declarators = self.ast.declarators.add(&declarators);
         Ok(Declaration::Variables { ty, declarators })
     }
 
@@ -196,12 +202,10 @@ impl Parser<'_> {
     /// A name, with sizes if it has them.
     pub fn plain_declarator(&mut self) -> Parse<Declarator> {
         let (name, at) = self.declared_name()?;
-        let mut sizes = Vec::new();
-        self.array_sizes(&mut sizes)?;
         Ok(Declarator {
             name,
             at,
-            sizes,
+            sizes: self.array_sizes()?,
             init: None,
         })
     }
@@ -287,13 +291,13 @@ impl Parser<'_> {
             at: ty.ty.extent.first,
             ty,
             name: None,
-            sizes: Vec::new(),
+            sizes: Sizes::default(),
         };
         if matches!(self.peek(), Lexeme::Name(_)) || self.is_keyword_as_name() {
             let (name, at) = self.declared_name()?;
             parameter.name = Some(name);
             parameter.at = at;
-            self.array_sizes(&mut parameter.sizes)?;
+            parameter.sizes = self.array_sizes()?;
         }
         Ok(parameter)
     }

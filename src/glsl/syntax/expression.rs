@@ -316,6 +316,7 @@ impl Parser<'_> {
     fn construct(&mut self, ty: TypeSpecifier) -> Parse<Id<Expr>> {
         let first = ty.extent.first;
         if self.is(Symbol::LeftParenthesis) {
+            let ty = self.ast.types.add(ty);
             return self.call(Callee::Type(ty), first, first);
         }
         let hint = match self.peek() {
@@ -342,7 +343,8 @@ impl Parser<'_> {
         let ExprKind::Name(name) = self.ast.exprs[base].kind else {
             return Err(self.unexpected("`;`"));
         };
-        self.array_sizes(&mut sizes)?;
+        self.more_sizes(&mut sizes)?;
+        let sizes = self.ast.sizes.add(&sizes);
         self.construct(TypeSpecifier {
             kind: TypeKind::Named(name),
             sizes,
@@ -368,7 +370,8 @@ impl Parser<'_> {
             }
         }
         self.close(open, Symbol::RightParenthesis, "`,` or `)`")?;
-        let arguments = self.arguments.drain(base..).collect();
+        let arguments = self.ast.arguments.add(&self.arguments[base..]);
+        self.arguments.truncate(base);
         self.add(ExprKind::Call(callee, arguments), at, first)
     }
 }

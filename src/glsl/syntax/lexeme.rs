@@ -3,7 +3,7 @@
 
 use super::ast::TokenIndex;
 use super::words::{KNOWN, Known, Word, spelled};
-use crate::glsl::names::{Name, Names};
+use crate::glsl::names::{Name, Names, hash};
 use crate::glsl::preprocess::number::{self, Number};
 use crate::glsl::preprocess::{Kind, Token};
 use crate::glsl::types::Base;
@@ -130,17 +130,20 @@ pub(super) fn read(tokens: &[Token<'_>], names: &mut Names) -> Lexemes {
         let lexeme = match token.kind {
             // Behind a dot every word is just a name.
             Kind::Identifier if after_dot => Lexeme::Name(names.intern(text)),
-            Kind::Identifier => match known.get(text) {
-                None => Lexeme::Name(names.intern(text)),
-                Some(Known::Lexeme(lexeme)) => *lexeme,
-                Some(Known::Reserved) => {
-                    let name = names.intern(text);
-                    if reserved.iter().all(|(earlier, _)| *earlier != name) {
-                        reserved.push((name, index as TokenIndex));
+            Kind::Identifier => {
+                let hashed = hash(text);
+                match known.get(hashed, text) {
+                    None => Lexeme::Name(names.intern_hashed(hashed, text)),
+                    Some(Known::Lexeme(lexeme)) => lexeme,
+                    Some(Known::Reserved) => {
+                        let name = names.intern_hashed(hashed, text);
+                        if reserved.iter().all(|(earlier, _)| *earlier != name) {
+                            reserved.push((name, index as TokenIndex));
+                        }
+                        Lexeme::Name(name)
                     }
-                    Lexeme::Name(name)
                 }
-            },
+            }
             Kind::Number => number(text),
             Kind::Punctuator => punctuator(text),
             Kind::Odd | Kind::LineEnd => Lexeme::Refused,
@@ -170,8 +173,8 @@ fn punctuator(text: &str) -> Lexeme {
         b"}" => S::RightBrace,
         b"[" => S::LeftBracket,
         b"]" => S::RightBracket,
-        _ => match KNOWN.get(text) {
-            Some(Known::Lexeme(symbol)) => return *symbol,
+        _ => match KNOWN.get(hash(text), text) {
+            Some(Known::Lexeme(symbol)) => return symbol,
             _ => return Lexeme::Refused,
         },
     })

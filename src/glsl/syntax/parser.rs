@@ -1,9 +1,7 @@
 //! Where the parser stands, the tree as far as it is built, and what it found wrong.
 
 use super::Parsed;
-use super::ast::{
-    Ast, Callee, Expr, ExprKind, Extent, Item, Stmt, StmtKind, TokenIndex, TypeSpecifier,
-};
+use super::ast::{Ast, Callee, Expr, ExprKind, Extent, Item, Stmt, StmtKind, TokenIndex};
 use super::expression::Pending;
 use super::lexeme::{self, Lexeme, Symbol, blame, blame_behind, quoted};
 use super::statement::Arm;
@@ -68,7 +66,13 @@ impl<'a> Parser<'a> {
     pub fn new(tokens: &'a [Token<'a>]) -> Self {
         let mut ast = Ast::default();
         let read = lexeme::read(tokens, &mut ast.names);
+        // About as many as there are in most texts.
         ast.exprs.reserve(tokens.len() / 2);
+        ast.arguments.reserve(tokens.len() / 8);
+        ast.stmts.reserve(tokens.len() / 16);
+        ast.bodies.reserve(tokens.len() / 16);
+        ast.declarations.reserve(tokens.len() / 32);
+        ast.declarators.reserve(tokens.len() / 32);
         Parser {
             tokens,
             lexemes: read.list,
@@ -77,7 +81,7 @@ impl<'a> Parser<'a> {
             at: 0,
             ast,
             expression_heights: Vec::with_capacity(tokens.len() / 2),
-            statement_heights: Vec::new(),
+            statement_heights: Vec::with_capacity(tokens.len() / 16),
             nesting: 0,
             blocks: 0,
             braces_are_off: false,
@@ -339,14 +343,17 @@ impl Parser<'_> {
             | ExprKind::Comma(left, right)
             | ExprKind::Index(left, right) => height(left).max(height(right)),
             ExprKind::Ternary(condition, yes, no) => highest(&[*condition, *yes, *no]),
-            ExprKind::Call(callee, arguments) => highest(arguments).max(match callee {
-                Callee::Name(_) => 0,
-                Callee::Method(object, _) => height(object),
-                Callee::Type(TypeSpecifier { sizes, .. }) => {
-                    let sizes = sizes.iter().filter_map(|size| size.size.as_ref());
-                    sizes.map(height).max().unwrap_or(0)
-                }
-            }),
+            ExprKind::Call(callee, arguments) => {
+                highest(self.ast.arguments.get(*arguments)).max(match callee {
+                    Callee::Name(_) => 0,
+                    Callee::Method(object, _) => height(object),
+                    Callee::Type(ty) => {
+                        let sizes = self.ast.sizes.get(self.ast.types[*ty].sizes).iter();
+                        let sizes = sizes.filter_map(|size| size.size.as_ref());
+                        sizes.map(height).max().unwrap_or(0)
+                    }
+                })
+            }
         }
     }
 
@@ -355,7 +362,9 @@ impl Parser<'_> {
         let height = |stmt: &Id<Stmt>| usize::from(self.statement_heights[stmt.index()]);
         let highest = |stmts: &[Id<Stmt>]| stmts.iter().map(height).max().unwrap_or(0);
         let height = 1 + match &kind {
-            StmtKind::Block(body) | StmtKind::Switch { body, .. } => highest(body),
+            StmtKind::Block(body) | StmtKind::Switch { body, .. } => {
+                highest(self.ast.bodies.get(*body))
+            }
             StmtKind::If { then, other, .. } => height(then).max(highest(other.as_slice())),
             StmtKind::While { body, .. }
             | StmtKind::DoWhile { body, .. }

@@ -1,7 +1,7 @@
 //! Trees as text, for tests.
 
 use super::ast::*;
-use crate::glsl::arena::Id;
+use crate::glsl::arena::{Id, Range};
 use crate::glsl::types::{Base, Scalar};
 
 /// Everything, one item a line.
@@ -24,7 +24,7 @@ impl Show<'_> {
     fn header(&self, header: &Header) -> String {
         let parameters = header.parameters.iter().map(|parameter| {
             let name = parameter.name.map_or("_", |name| self.0.names.text(name));
-            let sizes = self.sizes(&parameter.sizes);
+            let sizes = self.sizes(parameter.sizes);
             format!("{} {name}{sizes}", self.qualified(&parameter.ty))
         });
         let parameters: Vec<_> = parameters.collect();
@@ -42,9 +42,8 @@ impl Show<'_> {
                 format!("precision {precision:?} {}", self.ty(ty))
             }
             Declaration::Variables { ty, declarators } => {
-                let declarators = declarators.iter().map(|it| self.declarator(it));
-                let declarators: Vec<_> = declarators.collect();
-                format!("let {}: {}", self.qualified(ty), declarators.join(", "))
+                let declarators = self.declarators(*declarators);
+                format!("let {}: {}", self.qualified(ty), declarators)
             }
             Declaration::Prototype(header) => self.header(header),
             Declaration::Block {
@@ -73,15 +72,16 @@ impl Show<'_> {
 
     fn members(&self, members: &[Members]) -> String {
         let members = members.iter().map(|members| {
-            let declarators = members.declarators.iter().map(|it| self.declarator(it));
-            let declarators: Vec<_> = declarators.collect();
-            format!(
-                "{}: {}",
-                self.qualified(&members.ty),
-                declarators.join(", ")
-            )
+            let declarators = self.declarators(members.declarators);
+            format!("{}: {declarators}", self.qualified(&members.ty))
         });
         members.collect::<Vec<_>>().join("; ")
+    }
+
+    fn declarators(&self, declarators: Range<Declarator>) -> String {
+        let declarators = self.0.declarators.get(declarators).iter();
+        let declarators: Vec<_> = declarators.map(|it| self.declarator(it)).collect();
+        declarators.join(", ")
     }
 
     fn declarator(&self, declarator: &Declarator) -> String {
@@ -91,7 +91,7 @@ impl Show<'_> {
         format!(
             "{}{}{}",
             self.0.names.text(declarator.name),
-            self.sizes(&declarator.sizes),
+            self.sizes(declarator.sizes),
             init.unwrap_or_default()
         )
     }
@@ -127,19 +127,25 @@ impl Show<'_> {
                 format!("struct {name} {{{}}}", self.members(&structure.members))
             }
         };
-        name + &self.sizes(&ty.sizes)
+        name + &self.sizes(ty.sizes)
     }
 
-    fn sizes(&self, sizes: &[ArraySize]) -> String {
-        let sizes = sizes.iter().map(|size| match size.size {
+    fn sizes(&self, sizes: Sizes) -> String {
+        let sizes = self.0.sizes.get(sizes).iter().map(|size| match size.size {
             Some(size) => format!("[{}]", self.expr(size)),
             None => "[]".into(),
         });
         sizes.collect()
     }
 
-    fn stmts(&self, stmts: &[Id<Stmt>]) -> String {
-        let stmts: Vec<_> = stmts.iter().map(|stmt| self.stmt(*stmt)).collect();
+    fn stmts(&self, stmts: Range<Id<Stmt>>) -> String {
+        let stmts: Vec<_> = self
+            .0
+            .bodies
+            .get(stmts)
+            .iter()
+            .map(|stmt| self.stmt(*stmt))
+            .collect();
         format!("{{{}}}", stmts.join("; "))
     }
 
@@ -147,19 +153,17 @@ impl Show<'_> {
         let optional = |expr: &Option<Id<Expr>>| expr.map(|it| self.expr(it)).unwrap_or_default();
         let condition = |condition: &Condition| match condition {
             Condition::Expression(expr) => self.expr(*expr),
-            Condition::Declaration(ty, declarator) => {
-                format!(
-                    "let {}: {}",
-                    self.qualified(ty),
-                    self.declarator(declarator)
-                )
+            Condition::Declaration(declaration) => {
+                self.declaration(&self.0.declarations[*declaration])
             }
         };
         match &self.0.stmts[stmt].kind {
             StmtKind::Empty => "empty".into(),
             StmtKind::Expression(expr) => self.expr(*expr),
-            StmtKind::Declaration(declaration) => self.declaration(declaration),
-            StmtKind::Block(body) => self.stmts(body),
+            StmtKind::Declaration(declaration) => {
+                self.declaration(&self.0.declarations[*declaration])
+            }
+            StmtKind::Block(body) => self.stmts(*body),
             StmtKind::If {
                 condition,
                 then,
@@ -174,7 +178,7 @@ impl Show<'_> {
                 )
             }
             StmtKind::Switch { selector, body } => {
-                format!("switch {} {}", self.expr(*selector), self.stmts(body))
+                format!("switch {} {}", self.expr(*selector), self.stmts(*body))
             }
             StmtKind::Label(Some(value)) => format!("case {}", self.expr(*value)),
             StmtKind::Label(None) => "default".into(),
@@ -242,9 +246,10 @@ impl Show<'_> {
             ExprKind::Call(callee, arguments) => {
                 let callee = match callee {
                     Callee::Name(it) => name(*it).into(),
-                    Callee::Type(ty) => format!("<{}>", self.ty(ty)),
+                    Callee::Type(ty) => format!("<{}>", self.ty(&self.0.types[*ty])),
                     Callee::Method(object, it) => format!("{}.{}", self.expr(*object), name(*it)),
                 };
+                let arguments = self.0.arguments.get(*arguments);
                 let arguments: Vec<_> = arguments.iter().map(|it| self.expr(*it)).collect();
                 format!("{callee}({})", arguments.join(", "))
             }

@@ -1,17 +1,27 @@
 //! Types with what stands around them: qualifiers, sizes, the members of structures.
 
 use super::ast::{
-    ArraySize, LayoutItem, Members, Precision, QualifiedType, Qualifier, QualifierKind,
+    ArraySize, LayoutItem, Members, Precision, QualifiedType, Qualifier, QualifierKind, Sizes,
     StructDefinition, TokenIndex, TypeKind, TypeSpecifier,
 };
-use super::declaration::LIST_OR_END;
+use super::declaration::{Declarators, LIST_OR_END};
 use super::lexeme::{Lexeme, Symbol};
 use super::parser::{Parse, Parser};
 use super::words::Word;
 
 impl Parser<'_> {
     /// Any number of `[3]` and `[]`.
-    pub fn array_sizes(&mut self, sizes: &mut Vec<ArraySize>) -> Parse<()> {
+    pub fn array_sizes(&mut self) -> Parse<Sizes> {
+        if !self.is(Symbol::LeftBracket) {
+            return Ok(Sizes::default());
+        }
+        let mut sizes = Vec::new();
+        self.more_sizes(&mut sizes)?;
+        Ok(self.ast.sizes.add(&sizes))
+    }
+
+    /// The same behind others.
+    pub fn more_sizes(&mut self, sizes: &mut Vec<ArraySize>) -> Parse<()> {
         while self.is(Symbol::LeftBracket) {
             let at = self.advance();
             let size = match self.is(Symbol::RightBracket) {
@@ -31,7 +41,7 @@ impl Parser<'_> {
         let mut members = Vec::new();
         while !self.is(Symbol::RightBrace) {
             let ty = self.qualified_type()?;
-            let mut declarators = Vec::new();
+            let mut declarators = Declarators::new();
             loop {
                 match self.peek() {
                     Lexeme::Type(_) | Lexeme::Word(_) if !self.is_keyword_as_name() => {
@@ -48,6 +58,7 @@ impl Parser<'_> {
                 return Err(self.unexpected_but(LIST_OR_END, Some(hint)));
             }
             self.semicolon(LIST_OR_END)?;
+            let declarators = self.ast.declarators.add(&declarators);
             members.push(Members { ty, declarators });
         }
         if members.is_empty() {
@@ -83,11 +94,9 @@ impl Parser<'_> {
             }
             _ => return Err(self.unexpected("a type")),
         };
-        let mut sizes = Vec::new();
-        self.array_sizes(&mut sizes)?;
         Ok(TypeSpecifier {
             kind,
-            sizes,
+            sizes: self.array_sizes()?,
             extent: self.extent_from(first),
         })
     }

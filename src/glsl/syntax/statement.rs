@@ -1,11 +1,11 @@
 //! Statements, §6.
 
-use super::ast::{Condition, Declaration, Declarator, Expr, Stmt, StmtKind, TokenIndex};
+use super::ast::{Condition, Declaration, Declarator, Expr, Sizes, Stmt, StmtKind, TokenIndex};
 use super::declaration::Declared;
 use super::lexeme::{Lexeme, Symbol};
 use super::parser::{Failed, Parse, Parser};
 use super::words::Word;
-use crate::glsl::arena::Id;
+use crate::glsl::arena::{Id, Range};
 
 /// How deep statements nest, `else if` apart. The parser recurses on them.
 const MAX_NESTING: usize = 1_000;
@@ -29,7 +29,7 @@ impl Parser<'_> {
         Ok(self.add_statement(StmtKind::Block(body), first))
     }
 
-    fn braced_statements(&mut self) -> Parse<Vec<Id<Stmt>>> {
+    fn braced_statements(&mut self) -> Parse<Range<Id<Stmt>>> {
         if !self.accept(Symbol::LeftBrace) {
             return Err(self.unexpected("`{`"));
         }
@@ -42,7 +42,9 @@ impl Parser<'_> {
             let statement = self.statement();
             self.statements.push(statement);
         }
-        Ok(self.statements.drain(base..).collect())
+        let body = self.ast.bodies.add(&self.statements[base..]);
+        self.statements.truncate(base);
+        Ok(body)
     }
 
     /// A statement. If it is wrong, what stands in its place does nothing.
@@ -79,7 +81,8 @@ impl Parser<'_> {
                 let hint = "is there a `;` too many before it, or a `{` missing?";
                 self.wrong(at, "this `else` has no `if`", Some(hint));
                 // What follows may still be right or wrong by itself.
-                Ok(StmtKind::Block(vec![self.statement()]))
+                let statement = self.statement();
+                Ok(StmtKind::Block(self.ast.bodies.add(&[statement])))
             }
             _ if self.starts_declaration() => self.local_declaration().map(StmtKind::Declaration),
             Lexeme::Symbol(Symbol::RightParenthesis) => {
@@ -94,9 +97,9 @@ impl Parser<'_> {
         }
     }
 
-    fn local_declaration(&mut self) -> Parse<Declaration> {
-        match self.declared()? {
-            Declared::Declaration(declaration) => Ok(declaration),
+    fn local_declaration(&mut self) -> Parse<Id<Declaration>> {
+        let declaration = match self.declared()? {
+            Declared::Declaration(declaration) => declaration,
             Declared::Function(header) => {
                 if !self.braces_are_off {
                     let message = "a function cannot be defined inside another";
@@ -106,9 +109,10 @@ impl Parser<'_> {
                 }
                 // The body's own mistakes are worth telling.
                 self.braced_statements()?;
-                Ok(Declaration::Prototype(header))
+                Declaration::Prototype(header)
             }
-        }
+        };
+        Ok(self.ast.declarations.add(declaration))
     }
 
     /// A statement that begins with a keyword.
@@ -301,9 +305,13 @@ impl Parser<'_> {
         let declarator = Declarator {
             name,
             at,
-            sizes: Vec::new(),
+            sizes: Sizes::default(),
             init: Some(init),
         };
-        Ok(Condition::Declaration(ty, declarator))
+        let declarators = self.ast.declarators.add(&[declarator]);
+        let declaration = Declaration::Variables { ty, declarators };
+        Ok(Condition::Declaration(
+            self.ast.declarations.add(declaration),
+        ))
     }
 }

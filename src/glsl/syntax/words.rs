@@ -3,9 +3,10 @@
 use std::fmt;
 use std::sync::LazyLock;
 
-use rustc_hash::FxHashMap;
+use hashbrown::HashTable;
 
 use super::lexeme::{Lexeme, Symbol};
+use crate::glsl::names;
 use crate::glsl::types::{Base, Sampler, Scalar, Shape};
 
 /// Defines an enum whose elements are spelled in one way each.
@@ -96,8 +97,20 @@ pub(super) enum Known {
     Reserved,
 }
 
+/// Spellings that are not just names, by their [`names::hash`].
+#[derive(Debug)]
+pub(super) struct Vocabulary(HashTable<(&'static str, Known)>);
+
+impl Vocabulary {
+    /// What a spelling with this hash is known for.
+    pub fn get(&self, hashed: u64, text: &str) -> Option<Known> {
+        let found = self.0.find(hashed, |(known, _)| *known == text);
+        found.map(|(_, known)| *known)
+    }
+}
+
 /// Every spelling that is not just a name.
-pub(super) static KNOWN: LazyLock<FxHashMap<&str, Known>> = LazyLock::new(|| {
+pub(super) static KNOWN: LazyLock<Vocabulary> = LazyLock::new(|| {
     let symbols = Symbol::ALL
         .iter()
         .map(|&it| (it.text(), Lexeme::Symbol(it)));
@@ -105,10 +118,13 @@ pub(super) static KNOWN: LazyLock<FxHashMap<&str, Known>> = LazyLock::new(|| {
     let types = TYPES.iter().map(|&(text, base)| (text, Lexeme::Type(base)));
     let truths = [("true", Lexeme::Bool(true)), ("false", Lexeme::Bool(false))];
     let reserved = RESERVED.iter().map(|&text| (text, Known::Reserved));
-    (symbols.chain(words).chain(types).chain(truths))
-        .map(|(text, lexeme)| (text, Known::Lexeme(lexeme)))
-        .chain(reserved)
-        .collect()
+    let lexemes = symbols.chain(words).chain(types).chain(truths);
+    let lexemes = lexemes.map(|(text, lexeme)| (text, Known::Lexeme(lexeme)));
+    let mut table = HashTable::new();
+    for known in lexemes.chain(reserved) {
+        table.insert_unique(names::hash(known.0), known, |known| names::hash(known.0));
+    }
+    Vocabulary(table)
 });
 
 const fn scalar(scalar: Scalar) -> Base {
