@@ -243,6 +243,13 @@ impl<T> IdSet<T> {
         before & bit == 0
     }
 
+    /// Adds several.
+    pub fn extend(&mut self, ids: impl IntoIterator<Item = Id<T>>) {
+        for id in ids {
+            self.insert(id);
+        }
+    }
+
     /// Whether an element is there.
     pub fn contains(&self, id: Id<T>) -> bool {
         let word = self.bits.get(id.index() / 64);

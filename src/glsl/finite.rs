@@ -4,14 +4,11 @@
 //! is changed by one constant step and nowhere else, and the step leads to the bound without passing
 //! the end of the numbers.
 
-use rustc_hash::FxHashSet;
-
-use super::arena::Id;
+use super::arena::{Id, IdSet};
 use super::hir::{
     BinaryOp, Block, Constants, Expr, ExprKind, Function, Global, GlobalKind, Hir, Local, Loop,
     Operands, StmtKind, UnaryOp, Value,
 };
-use super::prune;
 
 /// Sets [`Loop::is_finite`] where it can be shown.
 pub fn mark_finite_loops(hir: &mut Hir) {
@@ -43,7 +40,7 @@ struct Step {
 impl Finder<'_> {
     /// Marks the loops of a block; within a loop, also adds the variables that the block writes to
     /// `written`.
-    fn block(&self, block: &mut Block, mut written: Option<&mut FxHashSet<Id<Local>>>) {
+    fn block(&self, block: &mut Block, mut written: Option<&mut IdSet<Local>>) {
         for index in 0..block.len() {
             let (before, rest) = block.split_at_mut(index);
             match &mut rest[0].kind {
@@ -71,7 +68,7 @@ impl Finder<'_> {
                     }
                 }
                 StmtKind::Loop(found) => {
-                    let mut inside = FxHashSet::default();
+                    let mut inside = IdSet::default();
                     self.block(&mut found.body, Some(&mut inside));
                     let begin = before.last().and_then(|last| match last.kind {
                         StmtKind::Declare(local, Some(init)) => Some((local, init)),
@@ -83,7 +80,7 @@ impl Finder<'_> {
                     }
                     inside.extend(found.declared);
                     if let Some(written) = written.as_deref_mut() {
-                        written.extend(inside);
+                        written.extend(inside.iter());
                     }
                 }
                 StmtKind::Break | StmtKind::Continue | StmtKind::Discard => {}
@@ -101,7 +98,7 @@ impl Finder<'_> {
     }
 
     /// Adds the variables that an expression may write.
-    fn writes(&self, id: Id<Expr>, written: Option<&mut FxHashSet<Id<Local>>>) {
+    fn writes(&self, id: Id<Expr>, written: Option<&mut IdSet<Local>>) {
         let Some(written) = written else { return };
         let mut open = vec![id];
         while let Some(id) = open.pop() {
@@ -115,7 +112,8 @@ impl Finder<'_> {
                 }
                 _ => {}
             }
-            prune::operands(self.function, id, |operand| open.push(operand));
+            self.function
+                .for_each_operand(id, |operand| open.push(operand));
         }
     }
 
@@ -176,7 +174,7 @@ impl Finder<'_> {
         &self,
         found: &Loop,
         begin: Option<(Id<Local>, Id<Expr>)>,
-        inside: &FxHashSet<Id<Local>>,
+        inside: &IdSet<Local>,
     ) -> bool {
         let Some(condition) = found.condition else {
             return false;
@@ -199,7 +197,7 @@ impl Finder<'_> {
             BinaryOp::Greater | BinaryOp::GreaterEqual => step.by < 0.0,
             _ => false,
         };
-        if inside.contains(&step.of) || !leads_there || ty.scalar().is_none() {
+        if inside.contains(step.of) || !leads_there || ty.scalar().is_none() {
             return false;
         }
         let is_strict = matches!(op, BinaryOp::Less | BinaryOp::Greater);
@@ -236,16 +234,11 @@ impl Finder<'_> {
 
     /// Whether an expression has the same value in each round of a loop that changes `stepped` and
     /// what is `inside`.
-    fn is_unchanged(
-        &self,
-        id: Id<Expr>,
-        stepped: Id<Local>,
-        inside: &FxHashSet<Id<Local>>,
-    ) -> bool {
+    fn is_unchanged(&self, id: Id<Expr>, stepped: Id<Local>, inside: &IdSet<Local>) -> bool {
         let mut open = vec![id];
         while let Some(id) = open.pop() {
             let is_fine = match self.expr(id) {
-                ExprKind::Local(local) => local != stepped && !inside.contains(&local),
+                ExprKind::Local(local) => local != stepped && !inside.contains(local),
                 ExprKind::Global(global) => (self.uniforms)(global),
                 ExprKind::Assign(..)
                 | ExprKind::Compound(..)
@@ -256,7 +249,8 @@ impl Finder<'_> {
             if !is_fine {
                 return false;
             }
-            prune::operands(self.function, id, |operand| open.push(operand));
+            self.function
+                .for_each_operand(id, |operand| open.push(operand));
         }
         true
     }

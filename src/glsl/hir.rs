@@ -84,6 +84,38 @@ pub struct Function {
     pub body: Block,
 }
 
+impl Function {
+    /// Calls back with every operand of an expression, from left to right.
+    #[inline]
+    pub fn for_each_operand(&self, id: Id<Expr>, mut each: impl FnMut(Id<Expr>)) {
+        match self.exprs[id].kind {
+            ExprKind::Constant(_) | ExprKind::Local(_) | ExprKind::Global(_) => {}
+            ExprKind::Unary(_, a)
+            | ExprKind::Increment { place: a, .. }
+            | ExprKind::Member(a, _)
+            | ExprKind::Swizzle(a, _) => each(a),
+            ExprKind::Binary(_, a, b)
+            | ExprKind::And(a, b)
+            | ExprKind::Or(a, b)
+            | ExprKind::Comma(a, b)
+            | ExprKind::Assign(a, b)
+            | ExprKind::Compound(_, a, b)
+            | ExprKind::Index(a, b) => {
+                each(a);
+                each(b);
+            }
+            ExprKind::Ternary(a, b, c) => {
+                each(a);
+                each(b);
+                each(c);
+            }
+            ExprKind::Construct(row) | ExprKind::Call(_, row) | ExprKind::Builtin(_, row) => {
+                self.operands.get(row).iter().copied().for_each(each);
+            }
+        }
+    }
+}
+
 /// How a parameter is passed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Direction {

@@ -189,40 +189,10 @@ pub fn expressions_in(function: &Function, body: &[Stmt]) -> Vec<Id<Expr>> {
     while let Some(id) = roots.pop() {
         found.push(id);
         let first = roots.len();
-        operands(function, id, |operand| roots.push(operand));
+        function.for_each_operand(id, |operand| roots.push(operand));
         roots[first..].reverse();
     }
     found
-}
-
-/// Calls back with every operand of an expression, from left to right.
-#[inline]
-pub fn operands(function: &Function, id: Id<Expr>, mut each: impl FnMut(Id<Expr>)) {
-    match function.exprs[id].kind {
-        ExprKind::Constant(_) | ExprKind::Local(_) | ExprKind::Global(_) => {}
-        ExprKind::Unary(_, a)
-        | ExprKind::Increment { place: a, .. }
-        | ExprKind::Member(a, _)
-        | ExprKind::Swizzle(a, _) => each(a),
-        ExprKind::Binary(_, a, b)
-        | ExprKind::And(a, b)
-        | ExprKind::Or(a, b)
-        | ExprKind::Comma(a, b)
-        | ExprKind::Assign(a, b)
-        | ExprKind::Compound(_, a, b)
-        | ExprKind::Index(a, b) => {
-            each(a);
-            each(b);
-        }
-        ExprKind::Ternary(a, b, c) => {
-            each(a);
-            each(b);
-            each(c);
-        }
-        ExprKind::Construct(row) | ExprKind::Call(_, row) | ExprKind::Builtin(_, row) => {
-            function.operands.get(row).iter().copied().for_each(each);
-        }
-    }
 }
 
 /// The expressions that statements hold, in the order of the text but for loops' parts.

@@ -28,10 +28,6 @@ use crate::glsl::{Precision, double, finite, hir, syntax};
 use crate::scene::{CHANNELS, Pass, Scene};
 use crate::source::{Diagnostic, FileId, Report, Severity, SourceMap, Span};
 
-/// How many functions a pass may need. What naga takes to find the unused ones grows with the square
-/// of it.
-const MAX_FUNCTIONS: usize = 20_000;
-
 /// How to translate.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
@@ -201,11 +197,6 @@ impl Text<'_> {
         finite::mark_finite_loops(&mut hir);
         let double_functions = double::Functions::new(&hir);
         let reachable = Reachable::new(&hir, &double_functions);
-        if reachable.functions.len() > MAX_FUNCTIONS {
-            let last = reachable.functions.last().map(|&id| hir.functions[id].at);
-            let at = Places::new(tokens).span(hir::Extent::of(last.unwrap_or(0)));
-            return Err(vec![refusal::too_many_functions(MAX_FUNCTIONS).at(at)]);
-        }
         let interface = bindings::interface();
         let lowered = lower(
             &hir,

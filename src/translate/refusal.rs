@@ -1,7 +1,7 @@
 //! What is wrong with a pass as a whole.
 
 use super::preamble;
-use crate::glsl::lower::{Excess, MAX_BLOCKS, MAX_OPERATIONS};
+use crate::glsl::lower::{Excess, MAX_BLOCKS, MAX_FUNCTIONS, MAX_OPERATIONS};
 use crate::glsl::places::Places;
 use crate::scene::PassKind;
 use crate::source::Diagnostic;
@@ -51,14 +51,13 @@ pub(super) fn excess(excess: Excess, places: Places<'_, '_>) -> Diagnostic {
             let hint = "use loops and functions; values of large structures count by their members";
             (diagnostic.hint(hint), at)
         }
+        Excess::Functions(at) => {
+            let message = format!("more than {MAX_FUNCTIONS} functions are called");
+            let diagnostic = Diagnostic::error("too-complex", message);
+            (diagnostic.hint("join some, or use loops"), at)
+        }
     };
     places.point(diagnostic, at)
-}
-
-/// A text that needs more functions than can be handled in time.
-pub(super) fn too_many_functions(limit: usize) -> Diagnostic {
-    let message = format!("more than {limit} functions are called");
-    Diagnostic::error("too-complex", message).hint("join some, or use loops")
 }
 
 /// A fault of this program, not of the author's.

@@ -14,7 +14,7 @@ const RULES: &[(&str, &str, &str)] = &[
     ("frame", "", "glam jiff"),
     ("report", "source", "annotate_snippets anstream serde serde_json"),
     ("scene", "source", "image serde serde_json toml std::fs"),
-    ("glsl", "source", "naga rustc_hash"),
+    ("glsl", "source", "hashbrown memchr naga rustc_hash smallvec"),
     ("translate", "glsl scene source", "naga"),
     ("render", "frame scene translate", "bytemuck glam pollster thiserror wgpu"),
     ("session", "frame render scene source translate", ""),

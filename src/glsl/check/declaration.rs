@@ -5,7 +5,8 @@ use super::qualifier::{Qualifiers, Storage};
 use super::scope::Symbol;
 use super::specifier::Length;
 use super::{Checker, Typed};
-use crate::glsl::arena::Id;
+use crate::glsl::arena::{Id, Range};
+use crate::glsl::builtins::Builtin;
 use crate::glsl::hir::{self, ExprKind, GlobalKind, StmtKind, Value};
 use crate::glsl::names::Name;
 use crate::glsl::syntax::ast::{
@@ -47,18 +48,19 @@ impl Checker<'_> {
                 at,
                 members,
                 instance,
-            } => self.block(qualifiers, *name, *at, members, instance.as_ref()),
+            } => self.block(*qualifiers, *name, *at, members, instance.as_ref()),
             Declaration::Qualifiers { qualifiers, names } => {
-                self.bare_qualifiers(qualifiers, names);
+                self.bare_qualifiers(*qualifiers, names);
             }
         }
     }
 
     /// `layout(std140) uniform;` or `invariant a;`
-    fn bare_qualifiers(&mut self, qualifiers: &[Qualifier], names: &[(Name, TokenIndex)]) {
+    fn bare_qualifiers(&mut self, row: Range<Qualifier>, names: &[(Name, TokenIndex)]) {
+        let qualifiers = self.ast.qualifiers.get(row);
         let at = Extent::of(qualifiers.first().map_or(0, |first| first.at));
         if names.is_empty() {
-            let found = self.variable_qualifiers(qualifiers);
+            let found = self.variable_qualifiers(row);
             if found.storage != Storage::Uniform || found.layout.is_empty() {
                 let message = "only `layout(…) uniform;` can stand without a variable";
                 self.error("qualifier", message, at);
@@ -120,7 +122,7 @@ impl Checker<'_> {
         declarators: &[Declarator],
         block: &mut hir::Block,
     ) {
-        let qualifiers = self.variable_qualifiers(&ty.qualifiers);
+        let qualifiers = self.variable_qualifiers(ty.qualifiers);
         let resolved = self.resolve(&ty.ty);
         if let Some((base, _)) = resolved {
             self.check_precision(qualifiers.precision, base, ty.ty.extent);
@@ -418,15 +420,27 @@ impl Checker<'_> {
         matches!(value, Some([Value::Bool(true)]))
     }
 
-    /// Whether only constants, operators and built-in functions take part.
+    /// Whether only constants, operators and functions of mathematics take part. That is more than a
+    /// constant expression, which has no comma in it, and enough for WebGL2.
     fn is_made_of_constants(&self, id: Id<hir::Expr>) -> bool {
-        match self.function.exprs[id].kind {
-            ExprKind::Constant(_) => true,
-            ExprKind::Comma(left, right) => {
-                self.is_made_of_constants(left) && self.is_made_of_constants(right)
+        let mut open = vec![id];
+        while let Some(id) = open.pop() {
+            match self.function.exprs[id].kind {
+                ExprKind::Local(_)
+                | ExprKind::Global(_)
+                | ExprKind::Assign(..)
+                | ExprKind::Compound(..)
+                | ExprKind::Increment { .. }
+                | ExprKind::Call(..)
+                | ExprKind::Builtin(Builtin::DFdx | Builtin::DFdy | Builtin::Fwidth, _) => {
+                    return false;
+                }
+                _ => self
+                    .function
+                    .for_each_operand(id, |operand| open.push(operand)),
             }
-            _ => false,
         }
+        true
     }
 
     pub(super) fn declare_global(&mut self, name: Name, symbol: Symbol, at: TokenIndex) {

@@ -145,7 +145,7 @@ impl Checker<'_> {
 
     fn result_type(&mut self, header: &Header) -> Option<Type> {
         let at = Extent::of(header.at);
-        let qualifiers = self.variable_qualifiers(&header.result.qualifiers);
+        let qualifiers = self.variable_qualifiers(header.result.qualifiers);
         if qualifiers.storage != Storage::Plain || !qualifiers.layout.is_empty() {
             let message = "the result of a function has no qualifiers but a precision";
             self.error("qualifier", message, at);
@@ -171,7 +171,7 @@ impl Checker<'_> {
 
     fn parameter(&mut self, parameter: &ast::Parameter) -> Option<Parameter> {
         let at = Extent::of(parameter.at);
-        let (storage, is_const, precision) = self.parameter_qualifiers(&parameter.ty.qualifiers);
+        let (storage, is_const, precision) = self.parameter_qualifiers(parameter.ty.qualifiers);
         if let Some(name) = parameter.name {
             self.check_name(name, at);
         }
@@ -292,7 +292,7 @@ impl Checker<'_> {
             block.reserve(statements.len());
             // An expression has two tokens or so.
             let Extent { first, last } = self.ast.stmts[body].extent;
-            let expressions = (last - first) as usize / 2;
+            let expressions = (last - first).min(1 << 16) as usize / 2;
             self.function.exprs.reserve(expressions);
             self.details.reserve(expressions);
             for &statement in statements {

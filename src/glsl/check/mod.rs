@@ -81,7 +81,7 @@ pub fn check(ast: &mut Ast, places: Places<'_, '_>, options: Options) -> Checked
         details: Vec::new(),
         named: IdSet::default(),
         initialised: IdSet::default(),
-        constant_parameters: FxHashSet::default(),
+        constant_parameters: IdSet::default(),
         signatures: Vec::new(),
         overloads: FxHashMap::default(),
         current: None,
@@ -125,7 +125,7 @@ struct Checker<'a> {
     named: IdSet<hir::Local>,
     initialised: IdSet<hir::Local>,
     /// Parameters of `function` that are `const`.
-    constant_parameters: FxHashSet<Id<hir::Local>>,
+    constant_parameters: IdSet<hir::Local>,
     /// Every function that was declared.
     signatures: Vec<Signature>,
     /// Functions by name and parameters.

@@ -73,8 +73,8 @@ impl Checker<'_> {
 
     fn local_refusal(&mut self, id: Id<hir::Local>) -> Option<Refusal> {
         let local = &self.function.locals[id];
-        let name = local.name.map_or("", |name| self.text(name)).to_owned();
-        if self.constant_parameters.contains(&id) {
+        if self.constant_parameters.contains(id) {
+            let name = local.name.map_or("", |name| self.text(name)).to_owned();
             return Some(Refusal::Named(name, "the parameter is `const`"));
         }
         if self.holds_sampler(local.ty) {

@@ -1,6 +1,7 @@
 //! Qualifiers, §4.3 to §4.7: which there may be, and in which order.
 
 use super::Checker;
+use crate::glsl::arena::Range;
 use crate::glsl::syntax::ast::{
     Extent, LayoutItem, Precision, Qualifier, QualifierKind, TokenIndex,
 };
@@ -115,7 +116,8 @@ impl Checker<'_> {
     }
 
     /// The qualifiers of a variable, a function's result or a block.
-    pub(super) fn variable_qualifiers(&mut self, qualifiers: &[Qualifier]) -> Qualifiers {
+    pub(super) fn variable_qualifiers(&mut self, qualifiers: Range<Qualifier>) -> Qualifiers {
+        let qualifiers = self.ast.qualifiers.get(qualifiers);
         let mut found = Qualifiers {
             storage: Storage::Plain,
             interpolation: None,
@@ -147,11 +149,11 @@ impl Checker<'_> {
                 }
                 QualifierKind::Flat | QualifierKind::Smooth => {
                     found.interpolation = Some(*at);
-                    found.is_flat = *kind == QualifierKind::Flat;
+                    found.is_flat = matches!(kind, QualifierKind::Flat);
                     continue;
                 }
                 QualifierKind::Layout(items) => {
-                    found.layout.extend(items.iter().cloned());
+                    found.layout.extend(self.ast.layouts.get(*items));
                     continue;
                 }
                 QualifierKind::Centroid => {
@@ -189,7 +191,7 @@ impl Checker<'_> {
         if found.storage == Storage::InOut {
             let at = qualifiers
                 .iter()
-                .find(|one| one.kind == QualifierKind::InOut);
+                .find(|one| matches!(one.kind, QualifierKind::InOut));
             let extent = Extent::of(at.map_or(0, |one| one.at));
             self.error("qualifier", "`inout` is for parameters only", extent);
             found.storage = Storage::Plain;
@@ -201,9 +203,10 @@ impl Checker<'_> {
     /// how matrices are laid out.
     pub(super) fn member_qualifiers(
         &mut self,
-        qualifiers: &[Qualifier],
+        qualifiers: Range<Qualifier>,
         is_block: bool,
     ) -> Option<TokenIndex> {
+        let qualifiers = self.ast.qualifiers.get(qualifiers);
         self.check_sequence(qualifiers);
         let mut precision = None;
         for Qualifier { kind, at } in qualifiers {
@@ -211,7 +214,7 @@ impl Checker<'_> {
                 QualifierKind::Precision(_) => precision = Some(*at),
                 QualifierKind::Uniform if is_block => {}
                 QualifierKind::Layout(items) if is_block => {
-                    for item in items {
+                    for item in self.ast.layouts.get(*items) {
                         let name = self.text(item.name).to_owned();
                         if !matches!(&*name, "row_major" | "column_major") {
                             let message = format!("a member cannot have the layout `{name}`");
@@ -232,8 +235,9 @@ impl Checker<'_> {
     /// The qualifiers of a parameter: its storage, and its precision's place.
     pub(super) fn parameter_qualifiers(
         &mut self,
-        qualifiers: &[Qualifier],
+        qualifiers: Range<Qualifier>,
     ) -> (Storage, bool, Option<TokenIndex>) {
+        let qualifiers = self.ast.qualifiers.get(qualifiers);
         let mut storage = Storage::Plain;
         let mut is_const = false;
         let mut precision = None;

@@ -6,7 +6,7 @@ use super::Checker;
 use super::qualifier::Storage;
 use super::scope::Symbol;
 use super::specifier::Length;
-use crate::glsl::arena::Id;
+use crate::glsl::arena::{Id, Range};
 use crate::glsl::hir::{self, GlobalKind};
 use crate::glsl::names::Name;
 use crate::glsl::syntax::ast::{
@@ -78,7 +78,7 @@ impl Checker<'_> {
         let mut seen = FxHashSet::default();
         let mut is_fine = true;
         for group in members {
-            let qualifiers = self.member_qualifiers(&group.ty.qualifiers, is_block);
+            let qualifiers = self.member_qualifiers(group.ty.qualifiers, is_block);
             let resolved = self.resolve(&group.ty.ty);
             let Some((base, length)) = resolved else {
                 is_fine = false;
@@ -137,7 +137,7 @@ impl Checker<'_> {
     /// `uniform Name { … } instance;`
     pub(super) fn block(
         &mut self,
-        qualifiers: &[Qualifier],
+        qualifiers: Range<Qualifier>,
         name: Name,
         at: TokenIndex,
         members: &[Members],

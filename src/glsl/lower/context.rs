@@ -4,6 +4,8 @@ use naga::{AddressSpace, Handle, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::constant::Part;
+use super::emit::Shared;
+use super::function::H;
 use super::table::TableBuilder;
 use super::types::is_opaque;
 use super::{Excess, Lowered, Options, Unguarded, UniformBlock};
@@ -35,6 +37,8 @@ pub(super) struct Context<'a> {
     pub tables: TableBuilder,
     pub uniforms: Option<UniformBlock>,
     pub unguarded: Unguarded,
+    /// Room for [`Builder::shared`](super::function::Builder::shared) of the next function, empty.
+    pub shared: FxHashMap<Shared, H>,
     /// How many expressions there are in all functions.
     pub operations: usize,
     /// Set when the program is more than can be borne; no more statements are lowered then.
@@ -75,6 +79,7 @@ impl<'a> Context<'a> {
             tables: TableBuilder::default(),
             uniforms: None,
             unguarded: Unguarded::default(),
+            shared: FxHashMap::default(),
             operations: 0,
             excess: None,
         };

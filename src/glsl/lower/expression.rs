@@ -9,7 +9,6 @@ use super::place::{Place, Source};
 use crate::glsl::arena::Id;
 use crate::glsl::builtins::Builtin;
 use crate::glsl::hir::{BinaryOp, Expr, ExprKind, UnaryOp};
-use crate::glsl::prune;
 use crate::glsl::types::{Base, Scalar, Type};
 
 /// What may be computed in vain to spare a branch, in operations.
@@ -260,7 +259,7 @@ impl Builder<'_, '_> {
             | ExprKind::Call(..) => return None,
         };
         let mut rest = budget.checked_sub(own);
-        prune::operands(self.source, id, |operand| {
+        self.source.for_each_operand(id, |operand| {
             if self.source.exprs[operand].ty.sampler().is_none() {
                 rest = rest.and_then(|rest| self.cost(operand, rest));
             }
@@ -313,7 +312,7 @@ impl Builder<'_, '_> {
             _ => {
                 let mut any = false;
                 let source = self.source;
-                prune::operands(source, id, |operand| {
+                source.for_each_operand(id, |operand| {
                     any = any || self.has_effect(operand);
                 });
                 any

@@ -92,6 +92,7 @@ impl<'c, 'a> Builder<'c, 'a> {
     pub fn new(context: &'c mut Context<'a>, id: Id<hir::Function>) -> Self {
         let hir = context.hir;
         let source = &hir.functions[id];
+        let shared = std::mem::take(&mut context.shared);
         Builder {
             function: naga::Function {
                 name: Some(hir.names.text(source.name).to_owned()),
@@ -99,10 +100,10 @@ impl<'c, 'a> Builder<'c, 'a> {
             },
             blocks: vec![naga::Block::new()],
             deepest: 1,
-            heights: Vec::new(),
+            heights: Vec::with_capacity(2 * source.exprs.len()),
             pending: None,
             span: Span::UNDEFINED,
-            shared: FxHashMap::default(),
+            shared,
             locals: vec![None; source.locals.len()],
             temporaries: FxHashMap::default(),
             effects: vec![None; source.exprs.len()],
@@ -128,6 +129,8 @@ impl<'c, 'a> Builder<'c, 'a> {
     pub fn finish(mut self) -> naga::Function {
         self.function.body = self.close();
         debug_assert!(self.blocks.is_empty(), "every block is closed");
+        self.shared.clear();
+        self.context.shared = self.shared;
         self.function
     }
 

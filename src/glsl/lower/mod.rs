@@ -73,14 +73,19 @@ pub enum Excess {
     Depth(Extent),
     /// Operations, those counted that GLSL expresses in one and naga in many.
     Size(Extent),
+    /// Functions, of which there is one for each choice of samplers without texture.
+    Functions(Extent),
 }
 
 /// How deep blocks may nest. A stack of 2 MiB bears more than twice as much.
 pub const MAX_BLOCKS: usize = 500;
 
 /// How many operations a program may have. The largest of some 141,000 published shaders has a
-/// twentieth of it.
-pub const MAX_OPERATIONS: usize = 4_000_000;
+/// seventh of it.
+pub const MAX_OPERATIONS: usize = 1_500_000;
+
+/// How many functions a program may have: the graphics library takes long over each.
+pub const MAX_FUNCTIONS: usize = 20_000;
 
 /// What is not known to be harmless without run-time checks, as far as the lowered functions go.
 #[derive(Clone, Debug, Default)]

@@ -3,7 +3,7 @@
 use naga::Statement;
 
 use super::function::{Builder, H, Local};
-use super::{Excess, MAX_BLOCKS, MAX_OPERATIONS};
+use super::{Excess, MAX_BLOCKS, MAX_FUNCTIONS, MAX_OPERATIONS};
 use crate::glsl::arena::Id;
 use crate::glsl::hir::{self, Expr, ExprKind, Extent, Loop, Stmt, StmtKind};
 use crate::glsl::types::{Content, Type};
@@ -26,6 +26,8 @@ impl<'a> Builder<'_, 'a> {
                 Some(Excess::Depth(at))
             } else if self.context.operations > MAX_OPERATIONS {
                 Some(Excess::Size(at))
+            } else if self.context.functions.len() > MAX_FUNCTIONS {
+                Some(Excess::Functions(at))
             } else {
                 None
             };

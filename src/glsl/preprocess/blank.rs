@@ -1,5 +1,7 @@
 //! White space and comments.
 
+use memchr::{memchr2, memchr3};
+
 use super::findings::Findings;
 use super::lexer::Lexer;
 use crate::source::Diagnostic;
@@ -11,7 +13,10 @@ impl Lexer<'_> {
         loop {
             match self.peek() {
                 b' ' | b'\t' | 0x0b | 0x0c => {
-                    self.at += 1;
+                    // Lines begin with many.
+                    while matches!(self.byte(self.at), Some(b' ' | b'\t' | 0x0b | 0x0c)) {
+                        self.at += 1;
+                    }
                     space = true;
                 }
                 b'/' => {
@@ -38,8 +43,7 @@ impl Lexer<'_> {
     fn line_comment(&mut self) {
         self.at += 1;
         let bytes = self.text.as_bytes();
-        let is_line_end = |byte: &u8| matches!(byte, b'\n' | b'\r');
-        while let Some(length) = bytes[self.at..].iter().position(is_line_end) {
+        while let Some(length) = memchr2(b'\n', b'\r', &bytes[self.at..]) {
             self.at += length;
             if length == 0 || bytes[self.at - 1] != b'\\' {
                 return;
@@ -53,9 +57,10 @@ impl Lexer<'_> {
     fn block_comment(&mut self, start: usize, findings: &mut Findings) {
         self.at += 1;
         let opening = self.span(start, self.at);
-        while let Some(byte) = self.byte(self.at) {
-            self.at += 1;
-            match byte {
+        let bytes = self.text.as_bytes();
+        while let Some(length) = memchr3(b'*', b'\n', b'\r', &bytes[self.at..]) {
+            self.at += length + 1;
+            match bytes[self.at - 1] {
                 b'*' if self.peek() == b'/' => {
                     self.at += 1;
                     return;
@@ -65,6 +70,7 @@ impl Lexer<'_> {
                 _ => {}
             }
         }
+        self.at = bytes.len();
         findings.push(
             Diagnostic::error("unclosed-comment", "this comment is never closed")
                 .at(opening)

@@ -136,13 +136,6 @@ impl<'a> Directives<'a> {
         Some(self.lexer.as_ref()?.token(lexeme))
     }
 
-    /// Whether the token that was read last is a macro's name.
-    #[inline]
-    pub fn is_macro(&self, lexeme: Lexeme) -> bool {
-        let found = |lexer: &Lexer<'a>| self.macros.find(&lexer.spelling(lexeme)).is_some();
-        self.lexer.as_ref().is_some_and(found)
-    }
-
     /// The next token of the files, a line end behind each of them.
     #[inline]
     fn lex(&mut self) -> Option<Lexeme> {

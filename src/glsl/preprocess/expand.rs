@@ -142,14 +142,12 @@ impl<'a> Expansion<'a> {
         // Most of a text is plain, and its tokens are made where they shall stay.
         if self.is_reading_text() {
             let lexeme = source.next_lexeme()?;
-            if lexeme.kind != Kind::Identifier || !source.is_macro(lexeme) {
-                let Some(lexer) = &source.lexer else {
-                    return None;
-                };
-                tokens.push(lexer.token(lexeme));
+            let token = source.token(lexeme)?;
+            if lexeme.kind != Kind::Identifier || source.macros.find(&token.text).is_none() {
+                tokens.push(token);
                 return Some(lexeme.kind);
             }
-            self.level().put_back = source.token(lexeme);
+            self.level().put_back = Some(token);
         }
         let token = self.next(source)?;
         let kind = token.kind;

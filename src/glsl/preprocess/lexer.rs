@@ -51,7 +51,7 @@ pub(super) struct Lexer<'a> {
 
 impl<'a> Lexer<'a> {
     pub fn new(file: FileId, text: &'a str, strict: bool, findings: &mut Findings) -> Self {
-        let nul = text.find('\0');
+        let nul = memchr::memchr(0, text.as_bytes());
         let mut lexer = Lexer {
             text: &text[..nul.unwrap_or(text.len())],
             file,
@@ -144,13 +144,11 @@ impl<'a> Lexer<'a> {
     /// Makes all bytes of a class part of the token.
     fn take_all(&mut self, class: u8) {
         loop {
-            let begin = self.at;
-            while let Some(byte) = self.byte(self.at)
-                && CLASSES[usize::from(byte)] & class != 0
-            {
-                self.at += 1;
-            }
-            if self.at > begin {
+            let rest = &self.text.as_bytes()[self.at..];
+            let is_other = |byte: &u8| CLASSES[usize::from(*byte)] & class == 0;
+            let length = rest.iter().position(is_other).unwrap_or(rest.len());
+            if length > 0 {
+                self.at += length;
                 self.end = self.at;
             }
             if self.byte(self.at) != Some(b'\\') || !self.skip_continuations() {

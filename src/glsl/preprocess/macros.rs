@@ -1,6 +1,7 @@
 use std::borrow::Cow;
-use std::collections::HashMap;
 use std::rc::Rc;
+
+use rustc_hash::FxHashMap;
 
 use super::token::Token;
 use crate::source::Span;
@@ -45,13 +46,13 @@ impl<'a> Macro<'a> {
         mut body: Vec<Token<'a>>,
         maker: Maker,
     ) -> Self {
-        let names = (0..).zip(parameters.iter().flatten());
-        let names: HashMap<&str, u32> = names.map(|(index, name)| (&**name, index)).collect();
-        if !names.is_empty() {
-            for token in &mut body {
-                if let Some(&index) = names.get(&*token.text) {
-                    token.set_parameter(index);
-                }
+        let names: &[Cow<'_, str>] = parameters.as_deref().unwrap_or_default();
+        let names: FxHashMap<&str, u32> = names.iter().map(|name| &**name).zip(0..).collect();
+        for token in &mut body {
+            if !names.is_empty()
+                && let Some(&index) = names.get(&*token.text)
+            {
+                token.set_parameter(index);
             }
         }
         Macro {
@@ -98,7 +99,7 @@ pub(super) type MacroId = usize;
 /// The macros that are defined.
 #[derive(Debug, Default)]
 pub(super) struct Macros<'a> {
-    names: HashMap<Cow<'a, str>, MacroId>,
+    names: FxHashMap<Cow<'a, str>, MacroId>,
     /// All there ever were: one may be undefined while its text is still being read.
     list: Vec<Macro<'a>>,
     /// A bit for each mark of a name that was ever defined. Nearly every name of a text is no

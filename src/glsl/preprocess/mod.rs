@@ -33,9 +33,9 @@ const MAX_DEPTH: usize = 1000;
 /// The most tokens in the arguments of a macro call, or in what comes of it, for a browser.
 const MAX_CALL: usize = 10_000;
 
-/// The most tokens that macros may bring, those counted that are in memory on the way: 120 MB of
+/// The most tokens that macros may bring, those counted that are in memory on the way: 86 MB of
 /// them. The largest of some 141,000 published shaders has fewer than a million tokens in all.
-const MAX_BROUGHT: usize = 2_500_000;
+const MAX_BROUGHT: usize = 1_800_000;
 
 /// The most tokens that may be read again on the way there: some tenths of a second.
 const MAX_READ: usize = 8 << 20;
@@ -81,7 +81,14 @@ pub fn preprocess<'a>(
     let bytes: usize = units.iter().map(|&unit| files.get(unit).text.len()).sum();
     let mut tokens = Vec::with_capacity(bytes / 4);
     let mut odd_character = None;
-    while let Some(kind) = expansion.next_into(&mut tokens, &mut source) {
+    loop {
+        if tokens.len() == tokens.capacity() {
+            // To double them would be more than half a large text needs.
+            tokens.reserve_exact(tokens.len() / 2 + 64);
+        }
+        let Some(kind) = expansion.next_into(&mut tokens, &mut source) else {
+            break;
+        };
         if !matches!(kind, Kind::Number | Kind::Odd | Kind::Punctuator) {
             continue;
         }

@@ -48,6 +48,10 @@ pub struct Ast {
     pub types: Arena<TypeSpecifier>,
     /// Sizes of arrays.
     pub sizes: Pool<ArraySize>,
+    /// Qualifiers of types.
+    pub qualifiers: Pool<Qualifier>,
+    /// Items of layout qualifiers.
+    pub layouts: Pool<LayoutItem>,
     /// What stands at global scope, in order.
     pub items: Vec<Item>,
 }
@@ -115,7 +119,7 @@ pub enum Declaration {
     /// `uniform Name { … } instance[2];`
     Block {
         /// What precedes the name.
-        qualifiers: Vec<Qualifier>,
+        qualifiers: Range<Qualifier>,
         /// The block's name.
         name: Name,
         /// Where the name stands.
@@ -128,7 +132,7 @@ pub enum Declaration {
     /// Qualifiers without a type: `layout(std140) uniform;`, `invariant gl_Position, a;`.
     Qualifiers {
         /// The qualifiers.
-        qualifiers: Vec<Qualifier>,
+        qualifiers: Range<Qualifier>,
         /// The names they are for, with their tokens.
         names: Vec<(Name, TokenIndex)>,
     },
@@ -163,13 +167,13 @@ pub struct ArraySize {
 #[derive(Clone, Debug)]
 pub struct QualifiedType {
     /// Qualifiers in the order written.
-    pub qualifiers: Vec<Qualifier>,
+    pub qualifiers: Range<Qualifier>,
     /// The type.
     pub ty: TypeSpecifier,
 }
 
 /// A qualifier and its token.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Qualifier {
     /// Which.
     pub kind: QualifierKind,
@@ -178,7 +182,7 @@ pub struct Qualifier {
 }
 
 /// The qualifiers of §4.3 to §4.7.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 #[allow(missing_docs, reason = "each is the word itself")]
 pub enum QualifierKind {
     Const,
@@ -192,11 +196,11 @@ pub enum QualifierKind {
     Invariant,
     Precision(Precision),
     /// `layout(a, b = 1)`
-    Layout(Vec<LayoutItem>),
+    Layout(Range<LayoutItem>),
 }
 
 /// One item of a layout qualifier.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct LayoutItem {
     /// Its name.
     pub name: Name,

@@ -9,6 +9,7 @@ use super::ast::{
 use super::lexeme::{Lexeme, Symbol};
 use super::parser::{Failed, Parse, Parser};
 use super::words::Word;
+use crate::glsl::arena::Range;
 use crate::glsl::names::Name;
 use crate::glsl::types::Base;
 
@@ -302,7 +303,7 @@ impl Parser<'_> {
         Ok(parameter)
     }
 
-    fn interface_block(&mut self, qualifiers: Vec<Qualifier>) -> Parse<Declaration> {
+    fn interface_block(&mut self, qualifiers: Range<Qualifier>) -> Parse<Declaration> {
         let (name, at) = self.name("a name")?;
         let members = self.members()?;
         let instance = match self.peek() {

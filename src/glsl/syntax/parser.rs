@@ -66,13 +66,14 @@ impl<'a> Parser<'a> {
     pub fn new(tokens: &'a [Token<'a>]) -> Self {
         let mut ast = Ast::default();
         let read = lexeme::read(tokens, &mut ast.names);
-        // About as many as there are in most texts.
-        ast.exprs.reserve(tokens.len() / 2);
-        ast.arguments.reserve(tokens.len() / 8);
-        ast.stmts.reserve(tokens.len() / 16);
-        ast.bodies.reserve(tokens.len() / 16);
-        ast.declarations.reserve(tokens.len() / 32);
-        ast.declarators.reserve(tokens.len() / 32);
+        // About as many as there are in most texts; the largest may well be wrong before their end.
+        let size = tokens.len().min(1 << 16);
+        ast.exprs.reserve(size / 2);
+        ast.arguments.reserve(size / 8);
+        ast.stmts.reserve(size / 16);
+        ast.bodies.reserve(size / 16);
+        ast.declarations.reserve(size / 32);
+        ast.declarators.reserve(size / 32);
         Parser {
             tokens,
             lexemes: read.list,
@@ -80,8 +81,8 @@ impl<'a> Parser<'a> {
             blamed: Vec::new(),
             at: 0,
             ast,
-            expression_heights: Vec::with_capacity(tokens.len() / 2),
-            statement_heights: Vec::with_capacity(tokens.len() / 16),
+            expression_heights: Vec::with_capacity(size / 2),
+            statement_heights: Vec::with_capacity(size / 16),
             nesting: 0,
             blocks: 0,
             braces_are_off: false,

@@ -53,7 +53,7 @@ impl Show<'_> {
                 instance,
                 ..
             } => {
-                let qualifiers = self.qualifiers(qualifiers);
+                let qualifiers = self.qualifiers(*qualifiers);
                 let instance = instance.as_ref().map(|it| self.declarator(it));
                 format!(
                     "block {qualifiers}{} {{{}}} {}",
@@ -65,7 +65,7 @@ impl Show<'_> {
             Declaration::Qualifiers { qualifiers, names } => {
                 let names = names.iter().map(|(name, _)| self.0.names.text(*name));
                 let names: Vec<_> = names.collect();
-                format!("{}{}", self.qualifiers(qualifiers), names.join(" "))
+                format!("{}{}", self.qualifiers(*qualifiers), names.join(" "))
             }
         }
     }
@@ -96,23 +96,28 @@ impl Show<'_> {
         )
     }
 
-    fn qualifiers(&self, qualifiers: &[Qualifier]) -> String {
-        let qualifiers = qualifiers.iter().map(|qualifier| match &qualifier.kind {
-            QualifierKind::Layout(items) => {
-                let items = items.iter().map(|item| {
-                    let value = item.value.map(|value| format!("={value}"));
-                    self.0.names.text(item.name).to_owned() + &value.unwrap_or_default()
-                });
-                format!("layout({}) ", items.collect::<Vec<_>>().join(","))
-            }
-            QualifierKind::Precision(precision) => format!("{precision:?} "),
-            kind => format!("{kind:?} "),
-        });
+    fn qualifiers(&self, qualifiers: Range<Qualifier>) -> String {
+        let qualifiers = self
+            .0
+            .qualifiers
+            .get(qualifiers)
+            .iter()
+            .map(|qualifier| match &qualifier.kind {
+                QualifierKind::Layout(items) => {
+                    let items = self.0.layouts.get(*items).iter().map(|item| {
+                        let value = item.value.map(|value| format!("={value}"));
+                        self.0.names.text(item.name).to_owned() + &value.unwrap_or_default()
+                    });
+                    format!("layout({}) ", items.collect::<Vec<_>>().join(","))
+                }
+                QualifierKind::Precision(precision) => format!("{precision:?} "),
+                kind => format!("{kind:?} "),
+            });
         qualifiers.collect()
     }
 
     fn qualified(&self, ty: &QualifiedType) -> String {
-        self.qualifiers(&ty.qualifiers) + &self.ty(&ty.ty)
+        self.qualifiers(ty.qualifiers) + &self.ty(&ty.ty)
     }
 
     fn ty(&self, ty: &TypeSpecifier) -> String {

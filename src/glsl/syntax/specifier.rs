@@ -1,5 +1,7 @@
 //! Types with what stands around them: qualifiers, sizes, the members of structures.
 
+use smallvec::SmallVec;
+
 use super::ast::{
     ArraySize, LayoutItem, Members, Precision, QualifiedType, Qualifier, QualifierKind, Sizes,
     StructDefinition, TokenIndex, TypeKind, TypeSpecifier,
@@ -8,6 +10,7 @@ use super::declaration::{Declarators, LIST_OR_END};
 use super::lexeme::{Lexeme, Symbol};
 use super::parser::{Parse, Parser};
 use super::words::Word;
+use crate::glsl::arena::Range;
 
 impl Parser<'_> {
     /// Any number of `[3]` and `[]`.
@@ -118,8 +121,8 @@ impl Parser<'_> {
         Ok(StructDefinition { name, at, members })
     }
 
-    pub fn qualifiers(&mut self) -> Parse<Vec<Qualifier>> {
-        let mut qualifiers = Vec::new();
+    pub fn qualifiers(&mut self) -> Parse<Range<Qualifier>> {
+        let mut qualifiers = SmallVec::<[Qualifier; 4]>::new();
         loop {
             let at = self.here();
             let kind = match self.plain_qualifier() {
@@ -128,7 +131,7 @@ impl Parser<'_> {
                     kind
                 }
                 None if self.accept_word(Word::Layout) => self.layout()?,
-                None => return Ok(qualifiers),
+                None => return Ok(self.ast.qualifiers.add(&qualifiers)),
             };
             qualifiers.push(Qualifier { kind, at });
         }
@@ -175,7 +178,7 @@ impl Parser<'_> {
             }
         }
         self.close(open, Symbol::RightParenthesis, "`,` or `)`")?;
-        Ok(QualifierKind::Layout(items))
+        Ok(QualifierKind::Layout(self.ast.layouts.add(&items)))
     }
 
     fn layout_value(&mut self) -> Parse<u32> {

@@ -99,14 +99,27 @@ pub(super) enum Known {
 
 /// Spellings that are not just names, by their [`names::hash`].
 #[derive(Debug)]
-pub(super) struct Vocabulary(HashTable<(&'static str, Known)>);
+pub(super) struct Vocabulary {
+    table: HashTable<(&'static str, Known)>,
+    /// For each first byte, a bit for each length. Most names of a program are like no word in both.
+    lengths: [u32; 256],
+}
 
 impl Vocabulary {
     /// What a spelling with this hash is known for.
     pub fn get(&self, hashed: u64, text: &str) -> Option<Known> {
-        let found = self.0.find(hashed, |(known, _)| *known == text);
+        let first = *text.as_bytes().first()?;
+        if self.lengths[usize::from(first)] & length_bit(text) == 0 {
+            return None;
+        }
+        let found = self.table.find(hashed, |(known, _)| *known == text);
         found.map(|(_, known)| *known)
     }
+}
+
+/// A bit for a length; all that are too long for a bit of their own share one.
+fn length_bit(text: &str) -> u32 {
+    1 << text.len().min(31)
 }
 
 /// Every spelling that is not just a name.
@@ -121,10 +134,12 @@ pub(super) static KNOWN: LazyLock<Vocabulary> = LazyLock::new(|| {
     let lexemes = symbols.chain(words).chain(types).chain(truths);
     let lexemes = lexemes.map(|(text, lexeme)| (text, Known::Lexeme(lexeme)));
     let mut table = HashTable::new();
+    let mut lengths = [0; 256];
     for known in lexemes.chain(reserved) {
+        lengths[usize::from(known.0.as_bytes()[0])] |= length_bit(known.0);
         table.insert_unique(names::hash(known.0), known, |known| names::hash(known.0));
     }
-    Vocabulary(table)
+    Vocabulary { table, lengths }
 });
 
 const fn scalar(scalar: Scalar) -> Base {
