@@ -16,7 +16,7 @@ use vitrine::glsl::lower::{self, lower};
 use vitrine::glsl::places::Places;
 use vitrine::glsl::preprocess::{self, preprocess};
 use vitrine::glsl::prune::Reachable;
-use vitrine::glsl::{Precision, double, finite, syntax};
+use vitrine::glsl::{Arithmetic, Precision, double, finite, syntax};
 use vitrine::scene::{self, CHANNELS, Pass, PassKind, SamplerKind, Scene, Source};
 use vitrine::source::{Diagnostic, FileId, SourceMap};
 use vitrine::translate::bindings::{self, Uniform};
@@ -99,7 +99,7 @@ const ROUNDS: usize = 15;
 const PHASES: [&str; 5] = ["preprocess", "parse", "check", "lower", "validate"];
 
 /// Our way; false if the text is refused.
-fn ours(text: &Text, times: &mut [Duration; 5]) -> bool {
+fn ours(text: &Text, arithmetic: Arithmetic, times: &mut [Duration; 5]) -> bool {
     let mut start = Instant::now();
     let mut lap = |phase: usize| {
         let now = Instant::now();
@@ -136,6 +136,7 @@ fn ours(text: &Text, times: &mut [Duration; 5]) -> bool {
         &reachable,
         &lower::Options {
             precision: Precision::Single,
+            arithmetic,
             interface: &interface,
             double_functions: &double_functions,
         },
@@ -174,7 +175,8 @@ fn texts(paths: &[PathBuf]) -> Vec<Text> {
     texts.retain(|text| {
         // naga's front end panics on some texts.
         let naga = std::panic::AssertUnwindSafe(|| nagas(text, &mut Default::default()));
-        ours(text, &mut Default::default()) && std::panic::catch_unwind(naga).unwrap_or(false)
+        ours(text, Arithmetic::Compact, &mut Default::default())
+            && std::panic::catch_unwind(naga).unwrap_or(false)
     });
     texts
 }
@@ -196,7 +198,7 @@ fn corpus(list: &Path) {
         let mut times = [Duration::ZERO; 5];
         let start = Instant::now();
         for text in &texts {
-            black_box(ours(text, &mut times));
+            black_box(ours(text, Arithmetic::Compact, &mut times));
         }
         let ours = start.elapsed();
         let start = Instant::now();
@@ -238,13 +240,18 @@ fn main() {
     let mut group = criterion.benchmark_group("text to validated module");
     let bytes = texts.iter().map(|text| text.naga.len() as u64).sum();
     group.throughput(Throughput::Bytes(bytes));
-    group.bench_function("ours", |bencher| {
-        bencher.iter(|| {
-            let each = texts.iter();
-            each.filter(|text| ours(text, &mut Default::default()))
-                .count()
+    for (name, arithmetic) in [
+        ("ours", Arithmetic::Compact),
+        ("ours, to be drawn", Arithmetic::Expanded),
+    ] {
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| {
+                let each = texts.iter();
+                each.filter(|text| ours(text, arithmetic, &mut Default::default()))
+                    .count()
+            });
         });
-    });
+    }
     group.bench_function("naga's", |bencher| {
         bencher.iter(|| {
             let each = texts.iter();

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use crate::render::{Gpu, GpuError, Renderer};
 use crate::scene::{self, Input, LoadError, LoadErrorKind, PassKind, Scene, Source};
 use crate::source::{Diagnostic, Report, Span};
-use crate::translate::{self, Program};
+use crate::translate::{self, Arithmetic, Program};
 
 /// A scene that can be drawn.
 #[derive(Debug)]
@@ -97,7 +97,12 @@ impl Session {
             read: scene.read.clone(),
         };
         require_drawable(&scene).map_err(in_scene)?;
-        let programs = translate::translate(&scene, options).map_err(in_scene)?;
+        // What is drawn shall look as it does in a browser.
+        let options = translate::Options {
+            arithmetic: Arithmetic::Expanded,
+            ..options.clone()
+        };
+        let programs = translate::translate(&scene, &options).map_err(in_scene)?;
         let translated = Instant::now();
         let renderer = Renderer::new(gpu, &scene, &programs)?;
         let timing = Timing {
@@ -114,7 +119,7 @@ impl Session {
             programs,
             renderer,
             warnings,
-            options: options.clone(),
+            options,
             timing,
         })
     }

@@ -32,6 +32,18 @@ pub enum Precision {
     Double,
 }
 
+/// How arithmetic is written in naga's operations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Arithmetic {
+    /// In the largest that there are, which read best.
+    #[default]
+    Compact,
+    /// In the steps that compilers of GLSL take before they optimise, and in their order. Optimisers
+    /// move constants and join operations by what they see, and rounding shows that wherever large
+    /// numbers make noise: pictures agree with WebGL2's only where they see the same.
+    Expanded,
+}
+
 impl Precision {
     /// A number as a `float` of this precision holds it.
     pub fn round(self, value: f64) -> f64 {

@@ -14,6 +14,7 @@ mod program;
 mod refusal;
 mod write;
 
+pub use crate::glsl::Arithmetic;
 #[cfg(feature = "gpu")]
 pub(crate) use guard::caught;
 pub use program::{ChannelUse, Functions, Guards, Program, Tables, UniformBlock};
@@ -37,6 +38,8 @@ pub struct Options {
     pub overrides: Vec<(String, String)>,
     /// What the program computes in.
     pub precision: Precision,
+    /// How arithmetic is written.
+    pub arithmetic: Arithmetic,
 }
 
 /// Translates every pass of a scene, in the scene's order.
@@ -203,6 +206,7 @@ impl Text<'_> {
             &reachable,
             &lower::Options {
                 precision: options.precision,
+                arithmetic: options.arithmetic,
                 interface: &interface,
                 double_functions: &double_functions,
             },

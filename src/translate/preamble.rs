@@ -87,6 +87,17 @@ void main() {
 }
 ";
 
+/// How many lines the site puts ahead of a pass, so that `__LINE__` is here what it is there: some
+/// shaders make noise of it.
+fn lines_before(kind: PassKind) -> usize {
+    match kind {
+        PassKind::Image => 41,
+        PassKind::Buffer(_) => 24,
+        PassKind::Cube => 33,
+        PassKind::Sound => 25,
+    }
+}
+
 /// The preamble of a pass, with no more of the site's declarations than the words in `texts` may need.
 pub(super) fn preamble(pass: &Pass, texts: &[&str]) -> String {
     let mentions = |word: &str| texts.iter().any(|text| text.contains(word));
@@ -124,6 +135,10 @@ pub(super) fn preamble(pass: &Pass, texts: &[&str]) -> String {
         PassKind::Cube => CUBE,
         PassKind::Sound => SOUND,
     });
+    // A line end follows each text, so that one of them need not be written.
+    let lines = text.lines().count() + 1;
+    let missing = lines_before(pass.kind).saturating_sub(lines);
+    text.insert_str(0, &"\n".repeat(missing));
     text
 }
 

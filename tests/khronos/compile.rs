@@ -5,7 +5,7 @@ use vitrine::glsl::lower::{self, Interface, Lowered, lower, verify::verify};
 use vitrine::glsl::places::Places;
 use vitrine::glsl::preprocess::{self, preprocess};
 use vitrine::glsl::prune::Reachable;
-use vitrine::glsl::{Precision, double, finite, syntax};
+use vitrine::glsl::{Arithmetic, Precision, double, finite, syntax};
 use vitrine::source::{Diagnostic, SourceMap};
 
 /// The bind group of everything.
@@ -57,6 +57,8 @@ pub fn compile(text: &str, uniforms: Vec<String>) -> Result<Lowered, Refusal> {
     let reachable = Reachable::new(&checked.hir, &double_functions);
     let options = lower::Options {
         precision,
+        // As it is when it is drawn.
+        arithmetic: Arithmetic::Expanded,
         interface: &Interface {
             group: GROUP,
             block: BLOCK,

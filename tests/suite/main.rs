@@ -5,6 +5,7 @@
 //! - Golden pictures and texts lie in `tests/goldens`, `tests/messages` and `tests/glsl`. `BLESS=1 cargo test`
 //!   accepts what the program makes now; look at it before committing it.
 
+mod arithmetic;
 mod bad_folder;
 mod bad_input;
 mod check_many;

@@ -117,8 +117,8 @@ impl Builder<'_, '_> {
     /// The functions that work on each component; operands and result are of one size.
     fn by_component(&mut self, builtin: Builtin, values: &[H], ty: Type) -> H {
         let function = match builtin {
-            B::Radians => return self.scaled(values[0], std::f64::consts::PI / 180.0),
-            B::Degrees => return self.scaled(values[0], 180.0 / std::f64::consts::PI),
+            B::Radians => return self.scaled(values[0], std::f64::consts::PI / 180.0, ty),
+            B::Degrees => return self.scaled(values[0], 180.0 / std::f64::consts::PI, ty),
             B::Mod => {
                 let quotient = self.quotient(values[0], values[1]);
                 let whole = self.math(M::Floor, &[quotient]);
@@ -139,6 +139,13 @@ impl Builder<'_, '_> {
             B::Max => M::Max,
             B::Clamp => M::Clamp,
             B::Mix => return self.mix(values),
+            B::Step if self.is_expanded() => {
+                // As it is defined: drivers take what is no number the other way.
+                let reaches = BinaryOperator::GreaterEqual;
+                let reaches = self.binary(reaches, values[1], values[0]);
+                let [zero, one] = [0.0, 1.0].map(|value| self.constant_of(value, ty));
+                return self.select(reaches, one, zero);
+            }
             B::Step => M::Step,
             _ => return self.transcendental(builtin, values, ty),
         };
@@ -152,13 +159,16 @@ impl Builder<'_, '_> {
         self.splat(value, size)
     }
 
-    fn scaled(&mut self, value: H, factor: f64) -> H {
-        let factor = self.float(factor);
+    fn scaled(&mut self, value: H, factor: f64, ty: Type) -> H {
+        let factor = self.constant_of(factor, ty);
         self.product(value, factor)
     }
 
-    /// Spelled out as compilers of GLSL do it, with one product.
+    /// With one product, as compilers of GLSL do it.
     fn mix(&mut self, values: &[H]) -> H {
+        if !self.is_expanded() {
+            return self.math(M::Mix, values);
+        }
         let way = self.difference(values[1], values[0]);
         let part = self.product(values[2], way);
         self.sum(values[0], part)
@@ -231,10 +241,11 @@ impl Builder<'_, '_> {
             B::Dot => self.dot_of(values[0], values[1], ty),
             B::Cross => self.math(M::Cross, values),
             B::Normalize if is_scalar => self.math(M::Sign, values),
+            B::Normalize if !self.is_expanded() => self.math(M::Normalize, values),
             B::Normalize => {
                 let square = self.dot_of(values[0], values[0], ty);
                 let factor = self.math(M::InverseSqrt, &[square]);
-                self.product(values[0], factor)
+                self.scale(values[0], factor)
             }
             B::FaceForward => {
                 let dot = self.dot_of(values[2], values[1], ty);
@@ -243,11 +254,12 @@ impl Builder<'_, '_> {
                 let turned = self.negate(values[0]);
                 self.select(condition, values[0], turned)
             }
+            B::Reflect if !is_scalar && !self.is_expanded() => self.math(M::Reflect, values),
             B::Reflect => {
                 let dot = self.dot_of(values[1], values[0], ty);
                 let two = self.float(2.0);
                 let twice = self.product(two, dot);
-                let along = self.product(twice, values[1]);
+                let along = self.scale(values[1], twice);
                 self.difference(values[0], along)
             }
             B::Refract => self.refract(values, ty),
@@ -255,8 +267,10 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// Spelled out as compilers of GLSL do it, as `normalize` is: drivers round SPIR-V's otherwise.
     fn length(&mut self, vector: H, ty: Type) -> H {
+        if !self.is_expanded() {
+            return self.math(M::Length, &[vector]);
+        }
         let square = self.dot_of(vector, vector, ty);
         self.math(M::Sqrt, &[square])
     }
@@ -284,7 +298,7 @@ impl Builder<'_, '_> {
         let along = self.product(eta, dot);
         let along = self.sum(along, root);
         let [left, right] =
-            [(eta, incident), (along, normal)].map(|(factor, v)| self.product(factor, v));
+            [(eta, incident), (along, normal)].map(|(factor, v)| self.scale(v, factor));
         let refracted = self.difference(left, right);
         let nothing = self.zero(ty);
         self.select(is_total, nothing, refracted)

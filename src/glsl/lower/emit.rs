@@ -11,8 +11,8 @@ use naga::{
 
 use super::function::{Builder, H};
 use super::types::size;
-use crate::glsl::Precision;
 use crate::glsl::types::{Scalar, Type};
+use crate::glsl::{Arithmetic, Precision};
 
 /// How many operations may stand within each other before they are split. Writers of text recurse on
 /// them, on whatever stack the caller has.
@@ -199,8 +199,78 @@ impl Builder<'_, '_> {
         )
     }
 
+    /// An operation on two operands of one size.
     pub(super) fn binary(&mut self, op: BinaryOperator, left: H, right: H) -> H {
+        use BinaryOperator::{Add, Divide, Multiply, Subtract};
+        if matches!(op, Add | Subtract | Multiply | Divide)
+            && let Some(size) = self.expanded(left).or_else(|| self.expanded(right))
+        {
+            let components = (0..size).map(|i| {
+                let [left, right] = [left, right].map(|value| self.component(value, i));
+                self.add(Expression::Binary { op, left, right })
+            });
+            let components = components.collect();
+            return self.compose(Type::vector(Scalar::Float, size), components);
+        }
         self.add(Expression::Binary { op, left, right })
+    }
+
+    /// Whether arithmetic is written in small steps. In double precision it is anyway: drivers have
+    /// fewer functions there.
+    pub(super) fn is_expanded(&self) -> bool {
+        let options = self.context.options;
+        options.arithmetic == Arithmetic::Expanded || options.precision == Precision::Double
+    }
+
+    /// The size of a constant vector with which to compute component by component: compilers of GLSL
+    /// take vectors apart before they move constants about.
+    pub(super) fn expanded(&self, value: H) -> Option<u8> {
+        if self.context.options.arithmetic != Arithmetic::Expanded {
+            return None;
+        }
+        let expressions = &self.function.expressions;
+        let is_float = |value: &H| {
+            use Literal::{F32, F64};
+            matches!(expressions[*value], Expression::Literal(F32(_) | F64(_)))
+        };
+        match &expressions[value] {
+            Expression::Splat { size, value } => is_float(value).then_some(*size as u8),
+            Expression::Compose { ty, components } => match self.context.module.types[*ty].inner {
+                naga::TypeInner::Vector { size, .. } => {
+                    let are_floats = components.iter().all(is_float);
+                    are_floats.then_some(size as u8)
+                }
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// A component of a vector.
+    fn component(&mut self, vector: H, index: u8) -> H {
+        match &self.function.expressions[vector] {
+            Expression::Splat { value, .. } => *value,
+            // They have four components at most, so that none is a vector if there are as many.
+            Expression::Compose { components, .. }
+                if components.iter().all(|&one| {
+                    matches!(self.function.expressions[one], Expression::Literal(_))
+                }) =>
+            {
+                components[usize::from(index)]
+            }
+            _ => self.part(vector, index.into()),
+        }
+    }
+
+    /// A scalar or vector times a scalar.
+    pub(super) fn scale(&mut self, value: H, factor: H) -> H {
+        match self.expanded(value) {
+            Some(size) => {
+                let factor = self.splat(factor, size);
+                self.product(value, factor)
+            }
+            None => self.product(value, factor),
+        }
     }
 
     pub(super) fn sum(&mut self, left: H, right: H) -> H {
@@ -240,15 +310,17 @@ impl Builder<'_, '_> {
         })
     }
 
-    /// A dot product. The components stand in reverse, for so compilers of GLSL add them up: drivers
-    /// begin with the first of SPIR-V's, which noise made of large numbers shows.
+    /// A dot product. Compilers of GLSL add up its terms from the last to the first.
     pub(super) fn dot(&mut self, left: H, right: H, size: u8) -> H {
-        let operands = [left, right].map(|vector| match size {
-            2 => vector,
-            3 => self.swizzle(vector, &[2, 1, 0]),
-            _ => self.swizzle(vector, &[3, 2, 1, 0]),
-        });
-        self.math(MathFunction::Dot, &operands)
+        if !self.is_expanded() {
+            return self.math(MathFunction::Dot, &[left, right]);
+        }
+        let terms = self.product(left, right);
+        let last = self.part(terms, u32::from(size) - 1);
+        (0..size - 1).rev().fold(last, |sum, i| {
+            let term = self.part(terms, i.into());
+            self.sum(sum, term)
+        })
     }
 
     /// Converts to so many bytes, or takes the bits as they are.

@@ -42,19 +42,6 @@ impl Builder<'_, '_> {
                 let operand = self.value(operand);
                 self.unary(op, operand, of)
             }
-            ExprKind::Binary(op @ (BinaryOp::Add | BinaryOp::Subtract), left, right)
-                if ty == Type::FLOAT && self.is_plane_dot(left) =>
-            {
-                self.dot_and_more(left, right, op)
-            }
-            ExprKind::Binary(BinaryOp::Add, left, right)
-                if ty == Type::FLOAT
-                    && self.is_plane_dot(right)
-                    && !self.has_effect(left)
-                    && !self.has_effect(right) =>
-            {
-                self.dot_and_more(right, left, BinaryOp::Add)
-            }
             ExprKind::Binary(op, left, right) => {
                 let left = self.typed(left);
                 let right = self.typed(right);
@@ -265,37 +252,6 @@ impl Builder<'_, '_> {
             }
         });
         rest
-    }
-
-    /// Whether it is the dot product of two vectors of two components.
-    fn is_plane_dot(&self, id: Id<Expr>) -> bool {
-        match self.source.exprs[id].kind {
-            ExprKind::Builtin(Builtin::Dot, operands) => {
-                let first = self.source.operands.get(operands)[0];
-                self.source.exprs[first].ty.vector_size() == Some(2)
-            }
-            _ => false,
-        }
-    }
-
-    /// A dot product to which something is added. Compilers of GLSL add it to the second product
-    /// first, which hashes of coordinates make visible.
-    fn dot_and_more(&mut self, dot: Id<Expr>, more: Id<Expr>, op: BinaryOp) -> H {
-        let ExprKind::Builtin(_, operands) = self.source.exprs[dot].kind else {
-            unreachable!("it is a dot product");
-        };
-        let ids = self.source.operands.get(operands);
-        let vectors = [ids[0], ids[1]].map(|id| self.value(id));
-        let more = self.value(more);
-        let [first, second] = [0, 1].map(|i| {
-            let [left, right] = vectors.map(|vector| self.part(vector, i));
-            self.product(left, right)
-        });
-        let rest = match op {
-            BinaryOp::Add => self.sum(second, more),
-            _ => self.difference(second, more),
-        };
-        self.sum(first, rest)
     }
 
     /// Whether evaluating an expression changes anything.

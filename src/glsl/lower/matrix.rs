@@ -40,9 +40,12 @@ impl Builder<'_, '_> {
         self.compose(ty, columns)
     }
 
-    /// A product of linear algebra, spelled out in the order in which compilers of GLSL do it: drivers
-    /// add the terms of SPIR-V's in another, which noise made of large numbers shows.
+    /// A product of linear algebra. Drivers add the terms of SPIR-V's in another order than compilers
+    /// of GLSL do.
     fn matrix_product(&mut self, left: Typed, right: Typed) -> H {
+        if !self.is_expanded() {
+            return self.binary(BinaryOperator::Multiply, left.value, right.value);
+        }
         match (left.ty.base, right.ty.base) {
             (_, Base::Vector(_, size)) => {
                 let columns = self.components(left.value, size);
@@ -74,7 +77,7 @@ impl Builder<'_, '_> {
         let mut sum = None;
         for (i, &vector) in vectors.iter().enumerate() {
             let factor = self.part(factors, i as u32);
-            let term = self.product(vector, factor);
+            let term = self.scale(vector, factor);
             sum = Some(match sum {
                 Some(sum) => self.sum(sum, term),
                 None => term,
@@ -101,7 +104,7 @@ impl Builder<'_, '_> {
         let columns = (0..u32::from(columns))
             .map(|i| {
                 let factor = self.part(row, i);
-                self.product(column, factor)
+                self.scale(column, factor)
             })
             .collect();
         self.compose(ty, columns)
@@ -128,7 +131,7 @@ impl Builder<'_, '_> {
         let [minus_ay, minus_bx] = [ay, bx].map(|value| self.negate(value));
         let first = self.compose(vec2, vec![by, minus_ay]);
         let second = self.compose(vec2, vec![minus_bx, ax]);
-        let columns = [first, second].map(|column| self.product(column, factor));
+        let columns = [first, second].map(|column| self.scale(column, factor));
         self.compose(Type::matrix(2, 2), columns.to_vec())
     }
 
@@ -136,7 +139,7 @@ impl Builder<'_, '_> {
         let rows = [(b, c), (c, a), (a, b)].map(|(u, v)| self.cross(u, v));
         let determinant = self.dot(a, rows[0], 3);
         let factor = self.reciprocal(determinant);
-        let rows = rows.map(|row| self.product(row, factor));
+        let rows = rows.map(|row| self.scale(row, factor));
         let rows = self.compose(Type::matrix(3, 3), rows.to_vec());
         self.math(MathFunction::Transpose, &[rows])
     }
@@ -148,13 +151,13 @@ impl Builder<'_, '_> {
         let [x, y, z, w] = columns.map(|column| self.part(column, 3));
         let [s, t] = [(a, b), (c, d)].map(|(p, q)| self.cross(p, q));
         let [u, v] = [(a, y, b, x), (c, w, d, z)].map(|(p, k, q, l)| {
-            let [p, q] = [(p, k), (q, l)].map(|(vector, factor)| self.product(vector, factor));
+            let [p, q] = [(p, k), (q, l)].map(|(vector, factor)| self.scale(vector, factor));
             self.difference(p, q)
         });
         let [sv, tu] = [(s, v), (t, u)].map(|(p, q)| self.dot(p, q, 3));
         let determinant = self.sum(sv, tu);
         let factor = self.reciprocal(determinant);
-        let [s, t, u, v] = [s, t, u, v].map(|vector| self.product(vector, factor));
+        let [s, t, u, v] = [s, t, u, v].map(|vector| self.scale(vector, factor));
         let parts = [
             (b, v, t, y, true),
             (v, a, t, x, false),
@@ -165,7 +168,7 @@ impl Builder<'_, '_> {
         let mut rows = Vec::new();
         for ((p, q, r, k, plus), (e, f, minus)) in parts.into_iter().zip(ends) {
             let cross = self.cross(p, q);
-            let scaled = self.product(r, k);
+            let scaled = self.scale(r, k);
             let row = if plus {
                 self.sum(cross, scaled)
             } else {

@@ -30,10 +30,10 @@ mod types;
 mod uniform;
 pub mod verify;
 
-use super::Precision;
 use super::double::Functions;
 use super::hir::{Extent, Hir};
 use super::prune::Reachable;
+use super::{Arithmetic, Precision};
 
 pub use interface::{HostSampler, Interface, Tables, UniformBlock, UniformMember};
 
@@ -42,6 +42,8 @@ pub use interface::{HostSampler, Interface, Tables, UniformBlock, UniformMember}
 pub struct Options<'a> {
     /// How many bits a `float` has.
     pub precision: Precision,
+    /// How arithmetic is written.
+    pub arithmetic: Arithmetic,
     /// What the host binds.
     pub interface: &'a Interface,
     /// In double precision, the functions to compute built-in functions with that graphics drivers

@@ -6,6 +6,7 @@ use super::constant::TABLE_SIZE;
 use super::expression::Typed;
 use super::function::{Builder, H};
 use super::place::{count, element_type};
+use crate::glsl::Arithmetic;
 use crate::glsl::arena::Id;
 use crate::glsl::hir::{BinaryOp, Expr, ExprKind, Extent, Value, value_count};
 use crate::glsl::types::{Base, Scalar, Type};
@@ -56,7 +57,8 @@ impl Builder<'_, '_> {
             right = self.divisor(right, scalar, sizes[1], at);
         }
         // A vector may be scaled as it is, which also reads better.
-        if !(op == BinaryOp::Multiply && scalar == Scalar::Float) {
+        let scales = op == BinaryOp::Multiply && scalar == Scalar::Float;
+        if !scales || self.meets_constant(left, right) {
             if sizes[0] < size {
                 left = self.splat(left, size);
             }
@@ -65,6 +67,16 @@ impl Builder<'_, '_> {
             }
         }
         self.binary(arithmetic(op), left, right)
+    }
+
+    /// Whether a product is one with a constant that is to be computed component by component.
+    fn meets_constant(&self, left: H, right: H) -> bool {
+        let is_constant = |value: H| {
+            let expression = &self.function.expressions[value];
+            matches!(expression, Expression::Literal(_)) || self.expanded(value).is_some()
+        };
+        self.context.options.arithmetic == Arithmetic::Expanded
+            && (is_constant(left) || is_constant(right))
     }
 
     /// An integer to divide by. A zero that naga can see would be refused, so it counts as one;

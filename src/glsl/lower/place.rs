@@ -3,7 +3,7 @@
 //! A chain such as `a[i].s.xy` is followed to its end before anything is loaded, so that only what
 //! is asked for is read, and an index is evaluated once however the place is used.
 
-use naga::Expression;
+use naga::{Expression, MathFunction};
 
 use super::constant::{Part, TABLE_SIZE};
 use super::context::Binding;
@@ -62,10 +62,12 @@ impl<'a> Builder<'_, 'a> {
                         if let Expression::Literal(literal) = self.function.expressions[at] {
                             return self.element(base, literal_index(literal));
                         }
-                        if !proven && !matches!(base.source, Source::Zero) {
-                            self.context.unguarded.accesses.push(extent);
-                        }
                         let of = self.source.exprs[index].ty;
+                        if proven || matches!(base.source, Source::Zero) {
+                            return self.element_at(base, at, of);
+                        }
+                        self.context.unguarded.accesses.push(extent);
+                        let at = self.not_negative(at, of);
                         self.element_at(base, at, of)
                     }
                 };
@@ -81,6 +83,16 @@ impl<'a> Builder<'_, 'a> {
             _ => Source::Value(self.value(id)),
         };
         Place { source, ty }
+    }
+
+    /// An index that may be out of range. WebGL2 takes the first element for a negative one, but
+    /// checks at run time, which go by its bits, the last.
+    fn not_negative(&mut self, index: H, ty: Type) -> H {
+        if ty != Type::INT {
+            return index;
+        }
+        let zero = self.int(0);
+        self.math(MathFunction::Max, &[index, zero])
     }
 
     fn global_source(&mut self, id: Id<hir::Global>) -> Source {

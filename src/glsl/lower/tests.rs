@@ -14,7 +14,7 @@ use super::{HostSampler, Interface, Lowered, Options, lower, verify};
 use crate::glsl::hir::Hir;
 use crate::glsl::prune::Reachable;
 use crate::glsl::types::{Base, Scalar, Type};
-use crate::glsl::{Precision, double};
+use crate::glsl::{Arithmetic, Precision, double};
 
 const FLOAT: Type = Type::FLOAT;
 const INT: Type = Type::INT;
@@ -61,10 +61,15 @@ fn interface() -> Interface {
 
 /// Lowers a program, which must pass the validators.
 fn lowered(hir: &Hir, precision: Precision) -> (Lowered, ModuleInfo) {
+    lowered_with(hir, precision, Arithmetic::Compact)
+}
+
+fn lowered_with(hir: &Hir, precision: Precision, arithmetic: Arithmetic) -> (Lowered, ModuleInfo) {
     let interface = interface();
     let double_functions = double::Functions::default();
     let options = Options {
         precision,
+        arithmetic,
         interface: &interface,
         double_functions: &double_functions,
     };
@@ -78,10 +83,19 @@ fn lowered(hir: &Hir, precision: Precision) -> (Lowered, ModuleInfo) {
     (lowered, info)
 }
 
-/// Lowers a program in 32 bits, writes it in every language, and returns the WGSL.
+/// Lowers a program in 32 bits, writes it in every language, and returns the WGSL, once with its
+/// arithmetic expanded and once without.
+fn wgsl_in_both(hir: &Hir) -> [String; 2] {
+    [Arithmetic::Expanded, Arithmetic::Compact].map(|arithmetic| {
+        let (lowered, info) = lowered_with(hir, Precision::Single, arithmetic);
+        write_all(&lowered.module, &info)
+    })
+}
+
+/// The same; only the WGSL with compact arithmetic.
 fn wgsl(hir: &Hir) -> String {
-    let (lowered, info) = lowered(hir, Precision::Single);
-    write_all(&lowered.module, &info)
+    let [_, compact] = wgsl_in_both(hir);
+    compact
 }
 
 fn write_all(module: &naga::Module, info: &ModuleInfo) -> String {

@@ -1,0 +1,63 @@
+//! The two ways in which arithmetic is written.
+
+use vitrine::scene;
+use vitrine::translate::{Arithmetic, Language, Options, translate, write};
+
+use crate::support::{pasted, plain};
+
+const TEXT: &str = "
+float hash(vec3 p) { return fract(dot(p, p.yzx + 19.19)); }
+void mainImage(out vec4 color, in vec2 at) {
+    vec2 uv = at * 2.0 + at.yx;
+    color = vec4(mix(uv, normalize(uv), step(0.5, at.x)), hash(uv.xyx), length(uv));
+}
+";
+
+/// The WGSL of the text.
+fn wgsl(arithmetic: Arithmetic) -> String {
+    let Ok(scene) = scene::load(&pasted(TEXT)) else {
+        panic!("it is a scene");
+    };
+    let options = Options {
+        arithmetic,
+        ..Options::default()
+    };
+    let programs = match translate(&scene, &options) {
+        Ok(programs) => programs,
+        Err(report) => panic!("{}", plain(&report)),
+    };
+    let written = write(&programs[0], Language::Wgsl).expect("a program can be written");
+    String::from_utf8(written).expect("WGSL is text")
+}
+
+#[test]
+fn compact_arithmetic_is_written_as_the_author_did() {
+    let text = wgsl(Arithmetic::Compact);
+    for expected in [
+        "(at * 2f)",
+        "dot(",
+        "normalize(",
+        "mix(",
+        "step(",
+        "length(",
+    ] {
+        assert!(text.contains(expected), "no `{expected}` in {text}");
+    }
+}
+
+/// Vectors are taken apart where a constant meets them, and nowhere else; functions are spelled out.
+#[test]
+fn expanded_arithmetic_takes_the_steps_of_compilers_of_glsl() {
+    let text = wgsl(Arithmetic::Expanded);
+    for expected in [
+        "(at.x * 2f), (at.y * 2f)",
+        "inverseSqrt(",
+        "sqrt(",
+        ">= 0.5f",
+    ] {
+        assert!(text.contains(expected), "no `{expected}` in {text}");
+    }
+    for function in ["dot(", "normalize(", "mix(", "step(", "length("] {
+        assert!(!text.contains(function), "`{function}` in {text}");
+    }
+}
