@@ -4,7 +4,7 @@ pub mod grammar;
 
 use vitrine::scene::{self, LoadErrorKind, Source};
 use vitrine::source::Report;
-use vitrine::translate::{Language, Options, translate, write};
+use vitrine::translate::{Arithmetic, Language, Options, translate, write};
 
 /// Translates a text, both ways, and panics unless there is a program that can be written or a
 /// complaint that makes sense.
@@ -20,9 +20,11 @@ pub fn judge(bytes: &[u8]) {
             LoadErrorKind::Io { .. } => panic!("no file is read"),
         },
     };
-    let accepted = [false, true].map(|strict| {
+    let ways = [(false, Arithmetic::Expanded), (true, Arithmetic::Compact)];
+    let accepted = ways.map(|(strict, arithmetic)| {
         let options = Options {
             strict,
+            arithmetic,
             ..Options::default()
         };
         match translate(&scene, &options) {

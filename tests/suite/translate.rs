@@ -6,7 +6,7 @@ use std::process::Command;
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use vitrine::scene::{self, Source};
-use vitrine::translate::{Language, Options, translate, write};
+use vitrine::translate::{Arithmetic, Language, Options, translate, write};
 
 use crate::support::{Folder, cases, on_every_core, pasted, scene_folders, vitrine};
 
@@ -19,9 +19,23 @@ const LANGUAGES: [(Language, &str); 5] = [
     (Language::Msl, "#include <metal_stdlib>"),
 ];
 
+/// As a program is translated to be read, and to be drawn.
+const BOTH: [Arithmetic; 2] = [Arithmetic::Compact, Arithmetic::Expanded];
+
+fn with(arithmetic: Arithmetic) -> Options {
+    Options {
+        arithmetic,
+        ..Options::default()
+    }
+}
+
 fn written(source: &Source, language: Language) -> Vec<u8> {
+    written_with(source, language, Arithmetic::Compact)
+}
+
+fn written_with(source: &Source, language: Language, arithmetic: Arithmetic) -> Vec<u8> {
     let scene = scene::load(source).expect("a scene");
-    let programs = translate(&scene, &Options::default()).expect("programs");
+    let programs = translate(&scene, &with(arithmetic)).expect("programs");
     write(&programs[0], language).unwrap_or_else(|problem| panic!("{}", problem.message))
 }
 
@@ -51,10 +65,13 @@ fn assert_is_wgsl(name: &str, text: &str) {
 fn spirv_val_accepts_every_scene() {
     let folder = Folder::new();
     for (name, scene) in scene_folders() {
-        let binary = written(&Source::Path(scene), Language::Spirv);
-        let file = folder.write(&format!("{name}.spv"), binary);
-        if let Some(complaint) = spirv_val(&file) {
-            panic!("{name}: {complaint}");
+        for arithmetic in BOTH {
+            let source = Source::Path(scene.clone());
+            let binary = written_with(&source, Language::Spirv, arithmetic);
+            let file = folder.write(&format!("{name}.spv"), binary);
+            if let Some(complaint) = spirv_val(&file) {
+                panic!("{name}, {arithmetic:?}: {complaint}");
+            }
         }
     }
 }
@@ -89,22 +106,28 @@ fn whatever_is_accepted_can_be_written() {
         .into_iter()
         .chain(cases("tests/glsl/lenient"))
         .collect();
-    let problems = on_every_core(&cases, |case| {
-        let (_, programs) = case.translated(false).expect("it is accepted");
-        let mut problems = String::new();
-        for (language, _) in LANGUAGES {
-            match write(&programs[0], language) {
-                Err(problem) => problems += &format!("{}: {}\n", case.name, problem.message),
-                Ok(binary) if language == Language::Spirv => {
-                    let file = folder.write(&format!("{}.spv", case.name), binary);
-                    problems
-                        .extend(spirv_val(&file).map(|words| format!("{}: {words}", case.name)));
-                }
-                Ok(_) => {}
+    let problems =
+        on_every_core(&cases, |case| {
+            let mut problems = String::new();
+            for (arithmetic, (language, _)) in BOTH
+                .into_iter()
+                .flat_map(|one| LANGUAGES.map(|language| (one, language)))
+            {
+                let translated = case.translated_with(&with(arithmetic));
+                let (_, programs) = translated.expect("it is accepted");
+                let problem = match write(&programs[0], language) {
+                    Err(problem) => Some(problem.message),
+                    Ok(binary) if language == Language::Spirv => {
+                        spirv_val(&folder.write(&format!("{}.spv", case.name), binary))
+                    }
+                    Ok(_) => None,
+                };
+                problems.extend(problem.map(|words| {
+                    format!("{} in {language:?}, {arithmetic:?}: {words}\n", case.name)
+                }));
             }
-        }
-        problems
-    });
+            problems
+        });
     let problems: String = problems.concat();
     assert!(problems.is_empty(), "\n{problems}");
 }

@@ -22,7 +22,7 @@ use glam::UVec2;
 use vitrine::frame::{Clock, FrameImage};
 use vitrine::render::{AdapterChoice, Gpu, GpuError, Renderer};
 use vitrine::scene::Scene;
-use vitrine::translate::Program;
+use vitrine::translate::{Arithmetic, Options, Program};
 
 use super::{Case, draw_with, plain};
 
@@ -143,7 +143,12 @@ impl Drawing {
         let expected = Expected::of(case)?;
         let _slow = told_when_slow(&case.name);
         let (scene, programs) = case
-            .translated(strict)
+            .translated_with(&Options {
+                strict,
+                // As it is when it is drawn.
+                arithmetic: Arithmetic::Expanded,
+                ..Options::default()
+            })
             .map_err(|report| format!("it is refused\n{}", plain(&report)))?;
         let picture = self
             .draw(&scene, &programs)

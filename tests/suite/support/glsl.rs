@@ -53,6 +53,14 @@ impl Case {
 
     /// Loads and translates it. In a strict translation everything that WebGL2 refuses is an error.
     pub fn translated(&self, strict: bool) -> Result<(Scene, Vec<Program>), Report> {
+        self.translated_with(&Options {
+            strict,
+            ..Options::default()
+        })
+    }
+
+    /// The same with any options.
+    pub fn translated_with(&self, options: &Options) -> Result<(Scene, Vec<Program>), Report> {
         let source = Source::Text {
             name: format!("{}.glsl", self.name),
             bytes: self.text.clone(),
@@ -61,18 +69,9 @@ impl Case {
             LoadErrorKind::Scene(report) => report,
             LoadErrorKind::Io { path, error } => panic!("{}: {error}", path.display()),
         })?;
-        let programs = translated(&scene, strict)?;
+        let programs = translate(&scene, options)?;
         Ok((scene, programs))
     }
-}
-
-/// The one place where these tests ask for a translation.
-fn translated(scene: &Scene, strict: bool) -> Result<Vec<Program>, Report> {
-    let options = Options {
-        strict,
-        ..Options::default()
-    };
-    translate(scene, &options)
 }
 
 /// Does `work` for each item, on as many threads as there are cores; the results are in the items' order.
