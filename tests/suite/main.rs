@@ -14,6 +14,7 @@ mod define;
 mod fuzz;
 mod glsl_lenient;
 mod glsl_refuse;
+mod glsl_warn;
 mod json_scenes;
 mod layering;
 mod messages;

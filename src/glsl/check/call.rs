@@ -191,6 +191,8 @@ impl Checker<'_> {
         if let (Some(low), Some(high)) = (edge(arguments[0]), edge(arguments[1]))
             && low >= high
         {
+            // As the author wrote them, more or less.
+            let [low, high] = [low, high].map(|edge| edge as f32);
             self.warn(
                 "reversed-smoothstep",
                 format!(

@@ -8,6 +8,7 @@
 mod call;
 mod constructor;
 mod declaration;
+mod ending;
 mod expression;
 mod flow;
 mod function;

@@ -10,6 +10,8 @@ use super::findings::Findings;
 use super::lexer::Lexer;
 use super::macros::{Macro, Maker};
 use super::token::{Kind, Token};
+use crate::glsl::builtins::Builtin;
+use crate::glsl::syntax::is_word;
 use crate::source::{Diagnostic, Span};
 
 /// Defines what is defined before the text begins, at `start`.
@@ -167,8 +169,25 @@ pub(super) fn define<'a>(
             source.report(problem);
         }
         Some(_) => {}
-        None => source.macros.define(name.text, new),
+        None => {
+            warn_about_hiding(source, &name);
+            source.macros.define(name.text, new);
+        }
     }
+}
+
+/// Warns about a macro that takes a name of the language away from the text behind it.
+fn warn_about_hiding(source: &mut Directives<'_>, name: &Token<'_>) {
+    let what = if Builtin::find(&name.text).is_some() {
+        "a function"
+    } else if is_word(&name.text) {
+        "a word"
+    } else {
+        return;
+    };
+    let message = format!("the macro `{}` hides {what} of the language", name.quoted());
+    let warning = Diagnostic::warning("hiding-macro", message).at(name.span);
+    source.report(warning.hint("a name of its own would be clearer; drivers differ here"));
 }
 
 /// Says that the user's definition stands in for one of the text at `place`.

@@ -13,6 +13,7 @@ mod specifier;
 mod statement;
 mod words;
 
+use crate::glsl::names;
 use crate::glsl::preprocess::Token;
 use crate::source::Diagnostic;
 use ast::Ast;
@@ -37,6 +38,11 @@ pub fn parse(tokens: &[Token<'_>], strict: bool) -> Parsed {
     let mut parser = Parser::new(tokens);
     parser.translation_unit();
     parser.finish(strict)
+}
+
+/// Whether a spelling is a keyword, or a word that is kept for one.
+pub fn is_word(text: &str) -> bool {
+    words::KNOWN.get(names::hash(text), text).is_some()
 }
 
 pub use parser::{MAX_EXPRESSION_HEIGHT, MAX_STATEMENT_HEIGHT};
