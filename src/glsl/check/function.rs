@@ -304,7 +304,8 @@ impl Checker<'_> {
             let message = format!("the function `{}` returns nothing", self.text(header.name));
             let hint = format!("it needs a `return` with {}", self.spell_one(result));
             self.error_with_hint("missing-return", message, at, hint);
-        } else if result != Type::VOID {
+        } else if result != Type::VOID && self.errors == 0 {
+            // Where something is wrong, a `return` may be missing for that alone.
             self.warn_about_missing_returns(&block, at);
         }
         self.warn_about_unset_variables(parameters.len());

@@ -5,6 +5,7 @@ use naga::{
     BinaryOperator, DerivativeAxis, DerivativeControl, Expression, MathFunction,
     RelationalFunction, ScalarKind,
 };
+use smallvec::SmallVec;
 
 use super::expression::Typed;
 use super::function::{Builder, H};
@@ -30,8 +31,8 @@ impl Builder<'_, '_> {
             self.store_place(place, whole);
             return self.difference(value, whole);
         }
-        let operands: Vec<_> = ids.iter().map(|&id| self.typed(id)).collect();
-        let values: Vec<_> = operands.iter().map(|operand| operand.value).collect();
+        let operands: SmallVec<[Typed; 4]> = ids.iter().map(|&id| self.typed(id)).collect();
+        let values: SmallVec<[H; 4]> = operands.iter().map(|operand| operand.value).collect();
         let first = operands[0].ty;
         match builtin {
             B::MatrixCompMult => self.component_product(values[0], values[1], ty),
@@ -96,7 +97,7 @@ impl Builder<'_, '_> {
             }
             _ => {
                 let size = ty.vector_size().expect("these are for scalars and vectors");
-                let values: Vec<_> = operands
+                let values: SmallVec<[H; 4]> = operands
                     .iter()
                     .map(|operand| self.broadcast(*operand, size))
                     .collect();

@@ -2,8 +2,9 @@
 //! as GLSL has it; naga's writers take pointers to whole variables only.
 
 use naga::{Expression, Statement};
+use smallvec::{SmallVec, smallvec};
 
-use super::context::{Binding, is_pointer};
+use super::context::{Binding, Nulls, is_pointer};
 use super::function::{Builder, H, Local};
 use super::place::{Place, Source};
 use super::types::is_opaque;
@@ -28,14 +29,14 @@ impl Builder<'_, '_> {
         let operands = self.source.operands.get(operands);
         let has_effect = operands.iter().any(|&operand| self.has_effect(operand));
         // What is passed out, so that a variable which comes twice is copied in order.
-        let outputs: Vec<_> = operands
+        let outputs: SmallVec<[_; 4]> = operands
             .iter()
             .zip(&callee.parameters)
             .filter(|(_, direction)| is_pointer(**direction))
             .filter_map(|(&operand, _)| self.root_local(operand))
             .collect();
-        let mut arguments = Vec::new();
-        let mut nulls = Vec::new();
+        let mut arguments = Vec::with_capacity(operands.len());
+        let mut nulls = Nulls::new();
         let mut copies: Vec<(H, Place)> = Vec::new();
         for (i, (&operand, &direction)) in operands.iter().zip(&callee.parameters).enumerate() {
             let parameter = Id::new(i);
@@ -94,7 +95,7 @@ impl Builder<'_, '_> {
 
     /// Applies a function of scalars to each component of its operands.
     pub(super) fn call_by_component(&mut self, id: Id<Function>, operands: &[H], ty: Type) -> H {
-        let function = self.context.function(id, vec![false; operands.len()]);
+        let function = self.context.function(id, smallvec![false; operands.len()]);
         let size = ty.vector_size().expect("only vectors have components");
         let operands: Vec<_> = operands
             .iter()

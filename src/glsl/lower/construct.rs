@@ -1,5 +1,7 @@
 //! Constructors, §5.4.
 
+use smallvec::{SmallVec, smallvec};
+
 use super::expression::Typed;
 use super::function::{Builder, H};
 use super::matrix::sides;
@@ -10,7 +12,7 @@ impl Builder<'_, '_> {
     /// A value of the given type, made of the operands.
     pub(super) fn construct(&mut self, operands: Operands, ty: Type) -> H {
         let operands = self.source.operands.get(operands);
-        let values: Vec<_> = operands.iter().map(|&id| self.typed(id)).collect();
+        let values: SmallVec<[Typed; 4]> = operands.iter().map(|&id| self.typed(id)).collect();
         match (ty.array, ty.base) {
             (Some(_), _) | (None, Base::Struct(_)) => {
                 let components = values.iter().map(|operand| operand.value).collect();
@@ -53,7 +55,7 @@ impl Builder<'_, '_> {
             let value = self.convert_typed(*operand, scalar);
             return self.splat(value, size);
         }
-        let mut components = Vec::new();
+        let mut components = Vec::with_capacity(operands.len());
         let mut missing = size;
         for operand in operands {
             for part in self.vectors(*operand) {
@@ -76,9 +78,9 @@ impl Builder<'_, '_> {
     }
 
     /// An operand as scalars and vectors.
-    fn vectors(&mut self, operand: Typed) -> Vec<Typed> {
+    fn vectors(&mut self, operand: Typed) -> SmallVec<[Typed; 4]> {
         if !operand.ty.is_matrix() {
-            return vec![operand];
+            return smallvec![operand];
         }
         let (columns, rows) = sides(operand.ty);
         let columns = self.components(operand.value, columns);

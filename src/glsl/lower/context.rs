@@ -2,6 +2,7 @@
 
 use naga::{AddressSpace, Handle, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
+use smallvec::{SmallVec, smallvec};
 
 use super::constant::Part;
 use super::emit::Shared;
@@ -26,8 +27,8 @@ pub(super) struct Context<'a> {
     /// The alignments of structures.
     pub alignments: FxHashMap<Handle<naga::Type>, naga::proc::Alignment>,
     pub globals: FxHashMap<Id<Global>, Binding>,
-    /// What has been lowered: functions, and which of their parameters are samplers without texture.
-    pub functions: FxHashMap<(Id<Function>, Vec<bool>), Handle<naga::Function>>,
+    /// What has been lowered: functions in their forms.
+    pub functions: FxHashMap<(Id<Function>, Nulls), Handle<naga::Function>>,
     /// Whether a function other than `main` asks for `gl_FragCoord`.
     pub shares_position: bool,
     /// The parameters of which not only the texture is used but also the sampler.
@@ -44,6 +45,9 @@ pub(super) struct Context<'a> {
     /// Set when the program is more than can be borne; no more statements are lowered then.
     pub excess: Option<Excess>,
 }
+
+/// Which of a function's parameters are samplers without texture.
+pub(super) type Nulls = SmallVec<[bool; 16]>;
 
 /// What stands for a global variable.
 #[derive(Clone, Copy, Debug)]
@@ -226,7 +230,7 @@ impl<'a> Context<'a> {
             let parameters = function.locals.iter().take(function.parameters.len());
             let takes_samplers = parameters.into_iter().any(|(_, local)| is_opaque(local.ty));
             if hir.main != Some(id) && !takes_samplers {
-                self.function(id, vec![false; function.parameters.len()]);
+                self.function(id, smallvec![false; function.parameters.len()]);
             }
         }
     }

@@ -3,7 +3,7 @@
 use naga::{BuiltIn, Span};
 
 use super::constant::Part;
-use super::context::{Binding, Context};
+use super::context::{Binding, Context, Nulls};
 use super::function::{Builder, Entry, H};
 use crate::glsl::hir::{Extent, GlobalKind};
 use crate::glsl::types::{Base, Scalar, Type};
@@ -15,7 +15,7 @@ impl Context<'_> {
         let initialisers = hir
             .initialisers
             .filter(|_| self.reachable.initialised)
-            .map(|id| self.function(id, Vec::new()));
+            .map(|id| self.function(id, Nulls::new()));
         let color = naga::Type {
             name: None,
             inner: naga::TypeInner::Vector {

@@ -3,7 +3,7 @@
 use naga::{AddressSpace, Expression, Handle, Span, Statement, TypeInner};
 use rustc_hash::FxHashMap;
 
-use super::context::{Context, is_pointer};
+use super::context::{Context, Nulls, is_pointer};
 use super::emit::Shared;
 use super::range::Ranges;
 use super::types::is_opaque;
@@ -71,7 +71,7 @@ pub(super) enum Local {
 
 impl<'a> Context<'a> {
     /// A function with some of its samplers known to have no texture, lowered when first called.
-    pub fn function(&mut self, id: Id<hir::Function>, nulls: Vec<bool>) -> Handle<naga::Function> {
+    pub fn function(&mut self, id: Id<hir::Function>, nulls: Nulls) -> Handle<naga::Function> {
         let key = (id, nulls);
         if let Some(&known) = self.functions.get(&key) {
             return known;

@@ -109,7 +109,7 @@ impl<'a> Directives<'a> {
     }
 
     /// The same, not made a token yet.
-    #[inline]
+    #[inline(always)]
     pub fn next_lexeme(&mut self) -> Option<Lexeme> {
         while !self.is_stopped {
             let Some(lexeme) = self.lex() else {

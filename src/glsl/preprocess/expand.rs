@@ -56,6 +56,26 @@ pub(super) struct Level<'a> {
     pub(super) output: Vec<Token<'a>>,
 }
 
+/// Whether nothing about a token needs a look, which goes for most.
+#[inline]
+fn is_fine_in_itself(token: &Token<'_>) -> bool {
+    match token.kind {
+        Kind::Identifier | Kind::LineEnd => true,
+        // It may stand for a character that GLSL does not know.
+        Kind::Punctuator => !token.is("?"),
+        Kind::Number | Kind::Odd => false,
+    }
+}
+
+#[inline]
+fn add<'a>(token: Token<'a>, tokens: &mut Vec<Token<'a>>) {
+    if tokens.len() == tokens.capacity() {
+        // To double them would be more than half a large text needs.
+        tokens.reserve_exact(tokens.len() / 2 + 64);
+    }
+    tokens.push(token);
+}
+
 #[derive(Debug)]
 pub(super) enum Input<'a> {
     /// The text itself, directives obeyed.
@@ -133,26 +153,38 @@ impl<'a> Expansion<'a> {
         matches!(level.input, Input::Text) && level.contexts.is_empty() && level.put_back.is_none()
     }
 
-    /// Adds the next token that is no use of a macro to `tokens`, and says of what kind it is.
+    /// Adds the next tokens that are no uses of macros to `tokens`, up to one that may be wrong in
+    /// itself, and says of what kind that is.
     pub fn next_into(
         &mut self,
         tokens: &mut Vec<Token<'a>>,
         source: &mut Directives<'a>,
     ) -> Option<Kind> {
-        // Most of a text is plain, and its tokens are made where they shall stay.
-        if self.is_reading_text() {
-            let lexeme = source.next_lexeme()?;
-            let token = source.token(lexeme)?;
-            if lexeme.kind != Kind::Identifier || source.macros.find(&token.text).is_none() {
-                tokens.push(token);
-                return Some(lexeme.kind);
+        loop {
+            // Most of a text is plain, and there is no need to ask again at each token.
+            if self.is_reading_text() {
+                loop {
+                    let lexeme = source.next_lexeme()?;
+                    let token = source.token(lexeme)?;
+                    let kind = lexeme.kind;
+                    if kind == Kind::Identifier && source.macros.find(&token.text).is_some() {
+                        self.level().put_back = Some(token);
+                        break;
+                    }
+                    let is_fine = is_fine_in_itself(&token);
+                    add(token, tokens);
+                    if !is_fine {
+                        return Some(kind);
+                    }
+                }
             }
-            self.level().put_back = Some(token);
+            let token = self.next(source)?;
+            let (kind, is_fine) = (token.kind, is_fine_in_itself(&token));
+            add(token, tokens);
+            if !is_fine {
+                return Some(kind);
+            }
         }
-        let token = self.next(source)?;
-        let kind = token.kind;
-        tokens.push(token);
-        Some(kind)
     }
 
     /// The next token that is no use of a macro.

@@ -158,6 +158,7 @@ impl<'a> Lexer<'a> {
     }
 
     /// The next token; `None` at the end of the file, which is preceded by a line end.
+    #[inline]
     pub fn next(&mut self, findings: &mut Findings) -> Option<Lexeme> {
         if self.owed > 0 {
             return Some(self.stand_in(0));

@@ -81,23 +81,13 @@ pub fn preprocess<'a>(
     let bytes: usize = units.iter().map(|&unit| files.get(unit).text.len()).sum();
     let mut tokens = Vec::with_capacity(bytes / 4);
     let mut odd_character = None;
-    loop {
-        if tokens.len() == tokens.capacity() {
-            // To double them would be more than half a large text needs.
-            tokens.reserve_exact(tokens.len() / 2 + 64);
-        }
-        let Some(kind) = expansion.next_into(&mut tokens, &mut source) else {
-            break;
-        };
-        if !matches!(kind, Kind::Number | Kind::Odd | Kind::Punctuator) {
-            continue;
-        }
+    while let Some(kind) = expansion.next_into(&mut tokens, &mut source) {
         let Some(token) = tokens.last() else { break };
         let problem = match kind {
             Kind::Number => bad_number(token),
             Kind::Odd => Some(meaningless(token)),
             _ => {
-                if odd_character.is_none() && token.is("?") {
+                if odd_character.is_none() {
                     odd_character = stand_in(&source, token);
                 }
                 None

@@ -7,9 +7,23 @@ fn macros_without_parameters() {
     expands("#define A 1\n#undef A\nA", "A");
     expands("#define A 1 /* one */ + 1 // two\nA", "1 + 1");
     expands("#define A (x)\nA", "( x )");
-    expands("#define float vec4\nfloat x", "vec4 x");
     expands("#define A 1 \\\n  + 2\r\nA", "1 + 2");
     expands("#define A x ## y @\nb", "b");
+}
+
+#[test]
+fn words_of_the_language_may_be_macros() {
+    for (word, what) in [
+        ("float", "a word"),
+        ("half", "a word"),
+        ("mix", "a function"),
+    ] {
+        let outcome = run(&format!("#define {word} a\n{word} x"));
+        assert_eq!(outcome.spelled(), "a x");
+        let message = format!("the macro `{word}` hides {what} of the language");
+        assert_eq!(outcome.messages(), [message]);
+        assert!(!outcome.has_errors());
+    }
 }
 
 #[test]
