@@ -11,9 +11,6 @@ use crate::translate::{Program, Tables, UniformBlock};
 /// std140's stride of array elements, in bytes.
 const ARRAY_STRIDE: usize = 16;
 
-/// Bytes of a block that holds all of ShaderToy's uniforms, and some to spare.
-const MAX_BLOCK: usize = 256;
-
 /// What is bound for one pass.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PassLayout {
@@ -325,7 +322,7 @@ impl Uniforms {
         let view = size.and_then(|size| gpu.queue().write_buffer_with(&self.buffer, 0, size));
         // Without a view the device is lost, which `Gpu::check` tells.
         if let Some(mut view) = view {
-            let mut bytes = [0; MAX_BLOCK];
+            let mut bytes = [0; bindings::BLOCK_SIZE as usize];
             let bytes = &mut bytes[..self.block.size as usize];
             self.pack(input, bytes);
             view.copy_from_slice(bytes);

@@ -22,12 +22,16 @@ pub const fn sampler(channel: usize) -> u32 {
 /// Binding of the buffer of constant tables.
 pub const TABLES: u32 = 1 + 2 * CHANNELS as u32;
 
+/// The most bytes of the uniform block: all of ShaderToy's, and room for some of the author's.
+pub const BLOCK_SIZE: u32 = 1024;
+
 /// What the renderer binds, as the front end is told of it.
 pub fn interface() -> Interface {
     Interface {
         group: GROUP,
         block: UNIFORMS,
         uniforms: Uniform::ALL.map(|uniform| uniform.name().to_owned()).into(),
+        block_size: BLOCK_SIZE,
         samplers: (0..CHANNELS)
             .map(|channel| HostSampler {
                 name: channel_name(channel).to_owned(),

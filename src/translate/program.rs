@@ -160,13 +160,12 @@ fn uniform_block(
     }
     let members = read
         .into_iter()
-        .map(|index| {
+        // The author's own are in it too, and stay zero.
+        .filter_map(|index| {
             let member = &members[index];
-            let uniform = Uniform::ALL
-                .into_iter()
-                .find(|uniform| member.name.as_deref() == Some(uniform.name()))
-                .expect("the preamble declares nothing else in the block");
-            (uniform, member.offset)
+            let mut all = Uniform::ALL.into_iter();
+            let uniform = all.find(|uniform| member.name.as_deref() == Some(uniform.name()))?;
+            Some((uniform, member.offset))
         })
         .collect();
     UniformBlock {

@@ -63,6 +63,7 @@ pub fn compile(text: &str, uniforms: Vec<String>) -> Result<Lowered, Refusal> {
             group: GROUP,
             block: BLOCK,
             uniforms,
+            block_size: 1 << 14,
             samplers: Vec::new(),
             tables: TABLES,
         },

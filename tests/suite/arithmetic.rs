@@ -1,4 +1,4 @@
-//! The two ways in which arithmetic is written.
+//! How arithmetic is written, and what compilers may know of its operands.
 
 use vitrine::scene;
 use vitrine::translate::{Arithmetic, Language, Options, translate, write};
@@ -13,9 +13,9 @@ void mainImage(out vec4 color, in vec2 at) {
 }
 ";
 
-/// The WGSL of the text.
-fn wgsl(arithmetic: Arithmetic) -> String {
-    let Ok(scene) = scene::load(&pasted(TEXT)) else {
+/// The WGSL of a text.
+fn wgsl(text: &str, arithmetic: Arithmetic) -> String {
+    let Ok(scene) = scene::load(&pasted(text)) else {
         panic!("it is a scene");
     };
     let options = Options {
@@ -32,7 +32,7 @@ fn wgsl(arithmetic: Arithmetic) -> String {
 
 #[test]
 fn compact_arithmetic_is_written_as_the_author_did() {
-    let text = wgsl(Arithmetic::Compact);
+    let text = wgsl(TEXT, Arithmetic::Compact);
     for expected in [
         "(at * 2f)",
         "dot(",
@@ -48,7 +48,7 @@ fn compact_arithmetic_is_written_as_the_author_did() {
 /// Vectors are taken apart where a constant meets them, and nowhere else; functions are spelled out.
 #[test]
 fn expanded_arithmetic_takes_the_steps_of_compilers_of_glsl() {
-    let text = wgsl(Arithmetic::Expanded);
+    let text = wgsl(TEXT, Arithmetic::Expanded);
     for expected in [
         "(at.x * 2f), (at.y * 2f)",
         "inverseSqrt(",
@@ -60,4 +60,18 @@ fn expanded_arithmetic_takes_the_steps_of_compilers_of_glsl() {
     for function in ["dot(", "normalize(", "mix(", "step(", "length("] {
         assert!(!text.contains(function), "`{function}` in {text}");
     }
+}
+
+/// They are zero, but a compiler that knew would take a division by them for anything.
+#[test]
+fn uniforms_of_the_authors_own_are_read_at_run_time() {
+    let text = wgsl(
+        "uniform vec2 speed; uniform float unused; uniform mat4 huge[9999];
+        void mainImage(out vec4 c, in vec2 p) {
+            c = vec4(p / speed, huge[int(p.x)][0].x, iTime);
+        }",
+        Arithmetic::Compact,
+    );
+    assert!(text.contains("uniforms.speed"), "{text}");
+    assert!(!text.contains("unused") && !text.contains("huge"), "{text}");
 }

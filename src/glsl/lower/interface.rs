@@ -9,6 +9,10 @@ pub struct Interface {
     pub block: u32,
     /// The names of the uniforms in the block, in its order.
     pub uniforms: Vec<String>,
+    /// The most bytes that the block may have. As many of the program's own uniforms as there is room
+    /// for are in it too, behind the host's, who leaves them zero: compilers shall not know it, for
+    /// they take a division by a zero that they know for anything.
+    pub block_size: u32,
     /// The samplers.
     pub samplers: Vec<HostSampler>,
     /// The binding of the buffer of constant tables.
@@ -31,7 +35,7 @@ pub struct HostSampler {
 pub struct UniformBlock {
     /// Its size in bytes, a multiple of 16.
     pub size: u32,
-    /// Its members: those of [`Interface::uniforms`] that the program names, in the same order.
+    /// Those of [`Interface::uniforms`] that the program names, in the same order.
     pub members: Vec<UniformMember>,
 }
 

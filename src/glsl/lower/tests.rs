@@ -48,6 +48,7 @@ fn interface() -> Interface {
         ]
         .map(str::to_owned)
         .to_vec(),
+        block_size: 1024,
         samplers: (0..3)
             .map(|i| HostSampler {
                 name: format!("iChannel{i}"),

@@ -12,25 +12,24 @@ use super::function::{Builder, H};
 use super::interface::{UniformBlock, UniformMember};
 use super::place::is_padded;
 use super::types::size;
-use crate::glsl::hir::GlobalKind;
+use crate::glsl::arena::Id;
+use crate::glsl::hir::{Global, GlobalKind};
 use crate::glsl::types::{Base, Scalar, Type};
 
 impl Context<'_> {
-    /// Declares the block, if the program names a uniform of the host's.
+    /// Declares the block, if the program names a uniform that can be in it.
     pub fn add_uniforms(&mut self) {
-        let hir = self.hir;
+        let of_host = self.uniforms_of_host();
         let mut members = Vec::new();
         let mut ids = Vec::new();
         let mut end = 0;
-        for name in &self.options.interface.uniforms {
-            let known = self.reachable.globals.iter().find(|&&id| {
-                let global = &hir.globals[id];
-                global.kind == GlobalKind::Uniform
-                    && is_storable(global.ty)
-                    && hir.names.text(global.name) == name
-            });
-            let Some(&id) = known else { continue };
-            let ty = hir.globals[id].ty;
+        for &id in of_host.iter().chain(&self.uniforms_of_program(&of_host)) {
+            let ty = self.hir.globals[id].ty;
+            // No component takes more, so that what is too large is known before it is laid out.
+            let most = 16 * u64::from(self.hir.value_count(ty));
+            if u64::from(end) + 16 + most > self.options.interface.block_size.into() {
+                continue;
+            }
             let stored = self.stored(ty, false);
             let layout = self.layout(stored);
             let alignment = match (ty.array, ty.base) {
@@ -40,7 +39,7 @@ impl Context<'_> {
             let offset = u32::next_multiple_of(end, alignment);
             end = offset + layout.size;
             members.push(StructMember {
-                name: Some(name.clone()),
+                name: Some(self.hir.names.text(self.hir.globals[id].name).to_owned()),
                 ty: stored,
                 binding: None,
                 offset,
@@ -51,11 +50,12 @@ impl Context<'_> {
             return;
         }
         let span = end.next_multiple_of(16);
+        let known = ids.iter().zip(&members);
+        let known = known.filter(|(id, _)| of_host.contains(id));
         self.uniforms = Some(UniformBlock {
             size: span,
-            members: members
-                .iter()
-                .map(|member| UniformMember {
+            members: known
+                .map(|(_, member)| UniformMember {
                     name: member.name.clone().unwrap_or_default(),
                     offset: member.offset,
                 })
@@ -78,6 +78,30 @@ impl Context<'_> {
         for (i, id) in ids.into_iter().enumerate() {
             self.globals.insert(id, Binding::Uniform(block, i as u32));
         }
+    }
+
+    /// The host's uniforms among those that the program names, in the host's order.
+    fn uniforms_of_host(&self) -> Vec<Id<Global>> {
+        let names = self.options.interface.uniforms.iter();
+        let find = |name: &String| {
+            let mut storable = self.storable_uniforms();
+            storable.find(|&id| self.hir.names.text(self.hir.globals[id].name) == name)
+        };
+        names.filter_map(find).collect()
+    }
+
+    /// The others, which nobody sets.
+    fn uniforms_of_program(&self, of_host: &[Id<Global>]) -> Vec<Id<Global>> {
+        let storable = self.storable_uniforms();
+        storable.filter(|id| !of_host.contains(id)).collect()
+    }
+
+    fn storable_uniforms(&self) -> impl Iterator<Item = Id<Global>> {
+        let named = self.reachable.globals.iter().copied();
+        named.filter(|&id| {
+            let global = &self.hir.globals[id];
+            global.kind == GlobalKind::Uniform && is_storable(global.ty)
+        })
     }
 
     /// The type of a uniform in the block, or of an element or a column of one.
