@@ -337,6 +337,14 @@ impl Builder<'_, '_> {
         if from == to {
             return expr;
         }
+        // As in `vec2(x, 0)`, which reads better converted.
+        if to == Scalar::Float {
+            match self.function.expressions[expr] {
+                Expression::Literal(Literal::I32(value)) => return self.float(value.into()),
+                Expression::Literal(Literal::U32(value)) => return self.float(value.into()),
+                _ => {}
+            }
+        }
         let to = self.context.scalar(to);
         self.cast(expr, to.kind, Some(to.width))
     }
