@@ -179,7 +179,12 @@ impl Builder<'_, '_> {
     fn smooth_step(&mut self, values: &[H], ty: Type) -> H {
         let [low, high, x] = [values[0], values[1], values[2]];
         let above = self.difference(x, low);
-        let width = self.difference(high, low);
+        let width = match [low, high].map(|edge| self.known(edge)) {
+            [Some(low), Some(high)] => {
+                self.constant_of(self.context.options.precision.round(high - low), ty)
+            }
+            _ => self.difference(high, low),
+        };
         let t = self.quotient(above, width);
         let [zero, one] = [0.0, 1.0].map(|value| self.constant_of(value, ty));
         let t = self.math(M::Clamp, &[t, zero, one]);

@@ -202,6 +202,11 @@ impl Builder<'_, '_> {
     /// An operation on two operands of one size.
     pub(super) fn binary(&mut self, op: BinaryOperator, left: H, right: H) -> H {
         use BinaryOperator::{Add, Divide, Multiply, Subtract};
+        if op == Divide
+            && let Some(reciprocal) = self.reciprocal_of_zero(right)
+        {
+            return self.binary(Multiply, left, reciprocal);
+        }
         if matches!(op, Add | Subtract | Multiply | Divide)
             && let Some(size) = self.expanded(left).or_else(|| self.expanded(right))
         {
@@ -213,6 +218,35 @@ impl Builder<'_, '_> {
             return self.compose(Type::vector(Scalar::Float, size), components);
         }
         self.add(Expression::Binary { op, left, right })
+    }
+
+    /// Infinity, if a divisor is a zero that compilers see. Some make anything of such a division, even
+    /// something else in each run, but a product with infinity is what it should be.
+    fn reciprocal_of_zero(&mut self, divisor: H) -> Option<H> {
+        let (zero, size) = match self.function.expressions[divisor] {
+            Expression::Splat { size, value } => (self.known(value)?, size as u8),
+            Expression::ZeroValue(ty) => match self.context.module.types[ty].inner {
+                naga::TypeInner::Vector { size, scalar } if scalar.kind == ScalarKind::Float => {
+                    (0.0, size as u8)
+                }
+                _ => return None,
+            },
+            _ => (self.known(divisor)?, 1),
+        };
+        (zero == 0.0).then(|| {
+            let infinity = self.float(f64::INFINITY.copysign(zero));
+            self.splat(infinity, size)
+        })
+    }
+
+    /// The number that all components of a value are seen to be.
+    pub(super) fn known(&self, value: H) -> Option<f64> {
+        match self.function.expressions[value] {
+            Expression::Literal(Literal::F32(number)) => Some(number.into()),
+            Expression::Literal(Literal::F64(number)) => Some(number),
+            Expression::Splat { value, .. } => self.known(value),
+            _ => None,
+        }
     }
 
     /// Whether arithmetic is written in small steps. In double precision it is anyway: drivers have
