@@ -5,6 +5,7 @@
 //! leaves to the compiler is spelled out here; [`verify`] holds the result against what the writers
 //! need.
 
+mod arithmetic;
 mod builtin;
 mod call;
 mod constant;
