@@ -136,6 +136,13 @@ impl Builder<'_, '_> {
         if !self.is_expanded() {
             return self.math(MathFunction::Dot, &[left, right]);
         }
+        // Compilers of GLSL see that terms are alike before they move a sign.
+        for (negated, other) in [(left, right), (right, left)] {
+            if let Expression::Unary { expr, .. } = self.function.expressions[negated] {
+                let positive = self.dot(expr, other, size);
+                return self.negate(positive);
+            }
+        }
         let terms = self.product(left, right);
         let last = self.part(terms, u32::from(size) - 1);
         (0..size - 1).rev().fold(last, |sum, i| {
