@@ -3,22 +3,16 @@
 //! (`support/expected.rs` has the format) and the `.txt` beside it is the warning. A strict
 //! translation refuses them all. Adding a test is adding a file there and running with `BLESS=1`.
 
-use vitrine::source::Report;
-
-use crate::support::{Case, cases, golden_text, left_over, on_every_core, plain, unfit_for_people};
+use crate::support::{Case, cases, golden_text, left_over, on_every_core, unfit_for_people};
 
 const FOLDER: &str = "tests/glsl/lenient";
 
 fn problem(case: &Case) -> String {
     let name = format!("{}.txt", case.name);
-    let (scene, programs) = match case.translated(false) {
-        Ok(translated) => translated,
-        Err(report) => return format!("{}.glsl is refused\n{}", case.name, plain(&report)),
+    let warnings = match case.warnings(false) {
+        Ok(warnings) => warnings,
+        Err(report) => return format!("{}.glsl is refused\n{report}", case.name),
     };
-    let warnings = plain(&Report {
-        files: scene.files,
-        diagnostics: programs.into_iter().flat_map(|p| p.warnings).collect(),
-    });
     if warnings.is_empty() {
         return format!("{}.glsl is accepted without a warning\n", case.name);
     }

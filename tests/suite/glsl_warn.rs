@@ -2,27 +2,19 @@
 //! runs and is undefined or surprises; the `.txt` beside it are the warnings, also of a strict
 //! translation. Adding a test is adding a file there and running with `BLESS=1`.
 
-use vitrine::source::Report;
-
-use crate::support::{Case, cases, golden_text, left_over, on_every_core, plain, unfit_for_people};
+use crate::support::{Case, cases, golden_text, left_over, on_every_core, unfit_for_people};
 
 const FOLDER: &str = "tests/glsl/warn";
 
 fn problem(case: &Case) -> String {
     let name = format!("{}.txt", case.name);
-    let [lenient, strict] = [false, true].map(|strict| {
-        let (scene, programs) = case.translated(strict).map_err(|report| plain(&report))?;
-        Ok(plain(&Report {
-            files: scene.files,
-            diagnostics: programs.into_iter().flat_map(|p| p.warnings).collect(),
-        }))
-    });
+    let [lenient, strict] = [false, true].map(|strict| case.warnings(strict));
     if lenient != strict {
         return format!("{name} differs in a strict translation: {strict:?}\n");
     }
     let lenient = match lenient {
         Ok(warnings) => warnings,
-        Err::<_, String>(report) => return format!("{}.glsl is refused\n{report}", case.name),
+        Err(report) => return format!("{}.glsl is refused\n{report}", case.name),
     };
     if lenient.is_empty() {
         return format!("{}.glsl has no warning\n", case.name);

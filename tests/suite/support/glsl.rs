@@ -8,7 +8,7 @@ use vitrine::scene::{LoadErrorKind, Scene, Source, load};
 use vitrine::source::Report;
 use vitrine::translate::{Options, Program, translate};
 
-use super::repository;
+use super::{plain, repository};
 
 /// One file: the text of an Image pass.
 pub struct Case {
@@ -59,7 +59,16 @@ impl Case {
         })
     }
 
-    /// The same with any options.
+    /// The warnings that it runs with, or why it does not run, as a person reads them.
+    pub fn warnings(&self, strict: bool) -> Result<String, String> {
+        let (scene, programs) = self.translated(strict).map_err(|report| plain(&report))?;
+        Ok(plain(&Report {
+            files: scene.files,
+            diagnostics: programs.into_iter().flat_map(|p| p.warnings).collect(),
+        }))
+    }
+
+    /// Loads and translates it with any options.
     pub fn translated_with(&self, options: &Options) -> Result<(Scene, Vec<Program>), Report> {
         let source = Source::Text {
             name: format!("{}.glsl", self.name),
