@@ -13,6 +13,7 @@ use criterion::{Criterion, Throughput};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use vitrine::glsl::check::{self, check};
 use vitrine::glsl::lower::{self, lower};
+use vitrine::glsl::names::Names;
 use vitrine::glsl::places::Places;
 use vitrine::glsl::preprocess::{self, preprocess};
 use vitrine::glsl::prune::Reachable;
@@ -119,9 +120,10 @@ fn ours(text: &Text, arithmetic: Arithmetic, times: &mut [Duration; 5]) -> bool 
             defines: &[("HW_PERFORMANCE", "1")],
             ..preprocess::Options::default()
         },
+        Names::default(),
     );
     lap(0);
-    let parsed = syntax::parse(&preprocessed.tokens, false);
+    let parsed = syntax::parse(&preprocessed.tokens, preprocessed.names, false);
     lap(1);
     if !is_fine(&preprocessed.diagnostics) || !is_fine(&parsed.diagnostics) {
         return false;
@@ -136,14 +138,13 @@ fn ours(text: &Text, arithmetic: Arithmetic, times: &mut [Duration; 5]) -> bool 
     finite::mark_finite_loops(&mut checked.hir);
     let double_functions = double::Functions::default();
     let reachable = Reachable::new(&checked.hir, &double_functions);
-    let interface = bindings::interface();
     let lowered = lower(
         &checked.hir,
         &reachable,
         &lower::Options {
             precision: Precision::Single,
             arithmetic,
-            interface: &interface,
+            interface: &bindings::INTERFACE,
             double_functions: &double_functions,
         },
     );

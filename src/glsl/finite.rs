@@ -4,6 +4,8 @@
 //! is changed by one constant step and nowhere else, and the step leads to the bound without passing
 //! the end of the numbers.
 
+use smallvec::{SmallVec, smallvec};
+
 use super::arena::{Id, IdSet};
 use super::hir::{
     BinaryOp, Block, Constants, Expr, ExprKind, Function, Global, GlobalKind, Hir, Local, Loop,
@@ -100,7 +102,7 @@ impl Finder<'_> {
     /// Adds the variables that an expression may write.
     fn writes(&self, id: Id<Expr>, written: Option<&mut IdSet<Local>>) {
         let Some(written) = written else { return };
-        let mut open = vec![id];
+        let mut open: SmallVec<[Id<Expr>; 32]> = smallvec![id];
         while let Some(id) = open.pop() {
             match self.expr(id) {
                 ExprKind::Assign(place, _)

@@ -21,6 +21,7 @@ pub mod preprocess;
 pub mod prune;
 pub mod syntax;
 pub mod types;
+mod words;
 
 /// How many bits a `float` has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

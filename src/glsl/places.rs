@@ -1,18 +1,19 @@
 //! From tokens to places in the author's files.
 
+use super::names::Name;
 use super::preprocess::Token;
 use super::syntax::ast::{Extent, TokenIndex};
 use crate::source::{Diagnostic, Span};
 
 /// Finds where tokens were written.
 #[derive(Clone, Copy, Debug)]
-pub struct Places<'t, 'a> {
-    tokens: &'t [Token<'a>],
+pub struct Places<'t> {
+    tokens: &'t [Token],
 }
 
-impl<'t, 'a> Places<'t, 'a> {
+impl<'t> Places<'t> {
     /// The places of these tokens.
-    pub fn new(tokens: &'t [Token<'a>]) -> Self {
+    pub fn new(tokens: &'t [Token]) -> Self {
         Places { tokens }
     }
 
@@ -41,11 +42,11 @@ impl<'t, 'a> Places<'t, 'a> {
     }
 
     /// What the token is.
-    pub fn text(&self, index: TokenIndex) -> &'t str {
-        self.token(index).map_or("", |token| &token.text)
+    pub fn spelling(&self, index: TokenIndex) -> Option<Name> {
+        Some(self.token(index)?.spelling)
     }
 
-    fn token(&self, index: TokenIndex) -> Option<&'t Token<'a>> {
+    fn token(&self, index: TokenIndex) -> Option<&'t Token> {
         let last = self.tokens.len().checked_sub(1)?;
         self.tokens.get((index as usize).min(last))
     }

@@ -1,7 +1,7 @@
 //! Finds what a program needs: from `main`, over its calls, to functions and global variables.
 //! Helpers that are pasted along but never called shall cost nothing and demand nothing.
 
-use super::arena::{Id, IdSet};
+use super::arena::{Id, IdSet, Pool, Range};
 use super::builtins::Builtin;
 use super::double;
 use super::hir::{
@@ -13,8 +13,9 @@ use super::hir::{
 pub struct Reachable {
     /// The functions, each behind those that it calls; `main` is the last.
     pub functions: Vec<Id<Function>>,
-    /// The expressions in the body of each, operands behind what uses them.
-    pub expressions: Vec<Vec<Id<Expr>>>,
+    /// The expressions in the body of each.
+    rows: Vec<Range<Id<Expr>>>,
+    expressions: Pool<Id<Expr>>,
     /// The global variables that they name, in order of declaration.
     pub globals: Vec<Id<Global>>,
     /// Those of the global variables that they may assign to.
@@ -48,12 +49,22 @@ impl Reachable {
     }
 }
 
+impl Reachable {
+    /// Each of the functions with the expressions in its body, operands behind what uses them.
+    pub fn bodies(&self) -> impl Iterator<Item = (Id<Function>, &[Id<Expr>])> {
+        let rows = self.rows.iter().map(|&row| self.expressions.get(row));
+        self.functions.iter().copied().zip(rows)
+    }
+}
+
 struct Search<'a> {
     hir: &'a Hir,
     built_in: &'a double::Functions,
     seen: IdSet<Function>,
     functions: Vec<Id<Function>>,
-    expressions: Vec<Vec<Id<Expr>>>,
+    rows: Vec<Range<Id<Expr>>>,
+    expressions: Pool<Id<Expr>>,
+    walk: Walk<'a>,
     used: IdSet<Global>,
     written: IdSet<Global>,
     initialised: bool,
@@ -62,7 +73,7 @@ struct Search<'a> {
 /// A function of which not all callees have been added yet.
 struct Visit {
     function: Id<Function>,
-    expressions: Vec<Id<Expr>>,
+    expressions: Range<Id<Expr>>,
     /// What it calls and what is still to be added, the last first.
     callees: Vec<Id<Function>>,
 }
@@ -74,7 +85,9 @@ impl<'a> Search<'a> {
             built_in,
             seen: IdSet::default(),
             functions: Vec::new(),
-            expressions: Vec::new(),
+            rows: Vec::new(),
+            expressions: Pool::default(),
+            walk: Walk::default(),
             used: IdSet::default(),
             written: IdSet::default(),
             initialised: false,
@@ -96,8 +109,7 @@ impl<'a> Search<'a> {
                 }
                 None => {
                     self.functions.push(visit.function);
-                    self.expressions
-                        .push(std::mem::take(&mut visit.expressions));
+                    self.rows.push(visit.expressions);
                     open.pop();
                 }
             }
@@ -108,29 +120,42 @@ impl<'a> Search<'a> {
     fn visit(&mut self, id: Id<Function>) -> Visit {
         let function = &self.hir.functions[id];
         let mut callees = Vec::new();
-        let expressions = expressions_in(function, &function.body);
-        for &id in &expressions {
+        let Search {
+            walk,
+            expressions,
+            used,
+            written,
+            ..
+        } = self;
+        let mut write = |place| {
+            if let ExprKind::Global(global) = function.exprs[root(function, place)].kind {
+                written.insert(global);
+            }
+        };
+        walk.roots(&function.body);
+        let row = expressions.extend(std::iter::from_fn(|| walk.next(function)));
+        for &id in expressions.get(row) {
             match function.exprs[id].kind {
                 ExprKind::Global(global) => {
-                    self.used.insert(global);
+                    used.insert(global);
                 }
                 ExprKind::Assign(place, _)
                 | ExprKind::Compound(_, place, _)
-                | ExprKind::Increment { place, .. } => self.write(function, place),
+                | ExprKind::Increment { place, .. } => write(place),
                 ExprKind::Call(callee, operands) => {
                     callees.push(callee);
                     let directions = &self.hir.functions[callee].parameters;
                     let operands = function.operands.get(operands);
                     for (&operand, direction) in operands.iter().zip(directions) {
                         if *direction != Direction::In {
-                            self.write(function, operand);
+                            write(operand);
                         }
                     }
                 }
                 ExprKind::Builtin(builtin, operands) => {
                     let operands = function.operands.get(operands);
                     if builtin == Builtin::Modf {
-                        self.write(function, operands[1]);
+                        write(operands[1]);
                     }
                     callees.extend(self.built_in.get(builtin, operands.len()));
                 }
@@ -141,14 +166,8 @@ impl<'a> Search<'a> {
         callees.reverse();
         Visit {
             function: id,
-            expressions,
+            expressions: row,
             callees,
-        }
-    }
-
-    fn write(&mut self, function: &Function, place: Id<Expr>) {
-        if let ExprKind::Global(global) = function.exprs[root(function, place)].kind {
-            self.written.insert(global);
         }
     }
 
@@ -162,6 +181,7 @@ impl<'a> Search<'a> {
         }
         Reachable {
             functions: self.functions,
+            rows: self.rows,
             expressions: self.expressions,
             globals: self.used.iter().collect(),
             written: self.written,
@@ -182,49 +202,63 @@ pub fn root(function: &Function, mut id: Id<Expr>) -> Id<Expr> {
 
 /// Every expression that some of a function's statements contain, operands behind what uses them.
 pub fn expressions_in(function: &Function, body: &[Stmt]) -> Vec<Id<Expr>> {
-    let mut roots = Vec::new();
-    statement_roots(body, &mut roots);
-    let mut found = Vec::with_capacity(roots.len() * 8);
-    roots.reverse();
-    while let Some(id) = roots.pop() {
-        found.push(id);
-        let first = roots.len();
-        function.for_each_operand(id, |operand| roots.push(operand));
-        roots[first..].reverse();
-    }
-    found
+    let mut walk = Walk::default();
+    walk.roots(body);
+    std::iter::from_fn(|| walk.next(function)).collect()
 }
 
-/// The expressions that statements hold, in the order of the text but for loops' parts.
-fn statement_roots(body: &[Stmt], roots: &mut Vec<Id<Expr>>) {
-    let mut open: Vec<&Stmt> = body.iter().rev().collect();
-    while let Some(stmt) = open.pop() {
-        match &stmt.kind {
-            StmtKind::Expression(id) => roots.push(*id),
-            StmtKind::Declare(_, value) | StmtKind::Return(value) => roots.extend(*value),
-            StmtKind::Block(body) => open.extend(body.iter().rev()),
-            StmtKind::If(condition, accept, reject) => {
-                roots.push(*condition);
-                open.extend(reject.iter().rev());
-                open.extend(accept.iter().rev());
-            }
-            StmtKind::Loop(Loop {
-                condition,
-                step,
-                body,
-                ..
-            }) => {
-                roots.extend(*condition);
-                roots.extend(*step);
-                open.extend(body.iter().rev());
-            }
-            StmtKind::Switch(Switch { selector, arms }) => {
-                roots.push(*selector);
-                for arm in arms.iter().rev() {
-                    open.extend(arm.body.iter().rev());
+/// A walk over expressions, with room for what is still to come.
+#[derive(Default)]
+struct Walk<'a> {
+    /// Expressions, the last first.
+    open: Vec<Id<Expr>>,
+    /// Statements, likewise.
+    statements: Vec<&'a Stmt>,
+}
+
+impl<'a> Walk<'a> {
+    /// Begins with the expressions that statements hold, in the order of the text but for loops'
+    /// parts.
+    fn roots(&mut self, body: &'a [Stmt]) {
+        let Walk { open, statements } = self;
+        statements.extend(body.iter().rev());
+        while let Some(stmt) = statements.pop() {
+            match &stmt.kind {
+                StmtKind::Expression(id) => open.push(*id),
+                StmtKind::Declare(_, value) | StmtKind::Return(value) => open.extend(*value),
+                StmtKind::Block(body) => statements.extend(body.iter().rev()),
+                StmtKind::If(condition, accept, reject) => {
+                    open.push(*condition);
+                    statements.extend(reject.iter().rev());
+                    statements.extend(accept.iter().rev());
                 }
+                StmtKind::Loop(Loop {
+                    condition,
+                    step,
+                    body,
+                    ..
+                }) => {
+                    open.extend(*condition);
+                    open.extend(*step);
+                    statements.extend(body.iter().rev());
+                }
+                StmtKind::Switch(Switch { selector, arms }) => {
+                    open.push(*selector);
+                    for arm in arms.iter().rev() {
+                        statements.extend(arm.body.iter().rev());
+                    }
+                }
+                StmtKind::Break | StmtKind::Continue | StmtKind::Discard => {}
             }
-            StmtKind::Break | StmtKind::Continue | StmtKind::Discard => {}
         }
+        open.reverse();
+    }
+
+    fn next(&mut self, function: &Function) -> Option<Id<Expr>> {
+        let id = self.open.pop()?;
+        let first = self.open.len();
+        function.for_each_operand(id, |operand| self.open.push(operand));
+        self.open[first..].reverse();
+        Some(id)
     }
 }

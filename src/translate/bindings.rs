@@ -1,5 +1,7 @@
 //! The contract between translated programs and the renderer: which name is bound where.
 
+use std::sync::LazyLock;
+
 use crate::glsl::lower::{HostSampler, Interface};
 use crate::scene::CHANNELS;
 
@@ -26,22 +28,20 @@ pub const TABLES: u32 = 1 + 2 * CHANNELS as u32;
 pub const BLOCK_SIZE: u32 = 1024;
 
 /// What the renderer binds, as the front end is told of it.
-pub fn interface() -> Interface {
-    Interface {
-        group: GROUP,
-        block: UNIFORMS,
-        uniforms: Uniform::ALL.map(|uniform| uniform.name().to_owned()).into(),
-        block_size: BLOCK_SIZE,
-        samplers: (0..CHANNELS)
-            .map(|channel| HostSampler {
-                name: channel_name(channel).to_owned(),
-                texture: texture(channel),
-                sampler: sampler(channel),
-            })
-            .collect(),
-        tables: TABLES,
-    }
-}
+pub static INTERFACE: LazyLock<Interface> = LazyLock::new(|| Interface {
+    group: GROUP,
+    block: UNIFORMS,
+    uniforms: Uniform::ALL.map(|uniform| uniform.name().to_owned()).into(),
+    block_size: BLOCK_SIZE,
+    samplers: (0..CHANNELS)
+        .map(|channel| HostSampler {
+            name: channel_name(channel).to_owned(),
+            texture: texture(channel),
+            sampler: sampler(channel),
+        })
+        .collect(),
+    tables: TABLES,
+});
 
 /// ShaderToy's uniforms, in the order in which the site declares them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

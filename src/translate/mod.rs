@@ -5,6 +5,7 @@
 //! [`Program::uniforms`] and [`Program::channels`], bound as [`bindings`] says. Every complaint points
 //! into the author's own files. No text, however hostile, makes this panic or run for ever.
 
+use std::array;
 use std::collections::{BTreeSet, HashSet};
 
 pub mod bindings;
@@ -22,6 +23,7 @@ pub use write::{Language, write};
 
 use crate::glsl::check::{self, check};
 use crate::glsl::lower::{self, lower};
+use crate::glsl::names::{Name, Names};
 use crate::glsl::places::Places;
 use crate::glsl::preprocess::{self, preprocess};
 use crate::glsl::prune::Reachable;
@@ -145,17 +147,23 @@ impl Text<'_> {
                 overrides: &options.overrides,
                 strict: options.strict,
             },
+            Names::default(),
         );
         let mut diagnostics = preprocessed.diagnostics;
         fail_on_errors(&mut diagnostics)?;
         // They are none of the author's macros' business, and so a text of their own.
         let functions: Vec<_> = self.functions.into_iter().collect();
-        let functions = preprocess(self.files, &functions, &preprocess::Options::default());
+        let functions = preprocess(
+            self.files,
+            &functions,
+            &preprocess::Options::default(),
+            preprocessed.names,
+        );
         let host_tokens = functions.tokens.len();
         let mut tokens = preprocessed.tokens;
         tokens.splice(0..0, functions.tokens);
         let tokens = &tokens;
-        let parsed = syntax::parse(tokens, options.strict);
+        let parsed = syntax::parse(tokens, functions.names, options.strict);
         diagnostics.extend(parsed.diagnostics);
         if let Some(odd) = preprocessed.odd_character {
             // A character that no one sees is most likely to blame for what follows.
@@ -177,8 +185,10 @@ impl Text<'_> {
         fail_on_errors(&mut diagnostics)?;
         // The larger the text, the more it matters that not all its forms are kept at once.
         drop(ast);
+        let names = &checked.hir.names;
+        let channels = array::from_fn(|channel| names.find(bindings::channel_name(channel)));
         let program = self.lower(checked.hir, tokens, options)?;
-        diagnostics.extend(self.unbound_channels(&program, tokens));
+        diagnostics.extend(self.unbound_channels(&program, channels, tokens));
         let unused = preprocessed.unused_overrides;
         Ok(Program {
             warnings: self.in_authors_files(diagnostics),
@@ -194,20 +204,19 @@ impl Text<'_> {
     fn lower(
         &self,
         mut hir: hir::Hir,
-        tokens: &[preprocess::Token<'_>],
+        tokens: &[preprocess::Token],
         options: &Options,
     ) -> Result<Program, Vec<Diagnostic>> {
         finite::mark_finite_loops(&mut hir);
         let double_functions = double::Functions::new(&hir);
         let reachable = Reachable::new(&hir, &double_functions);
-        let interface = bindings::interface();
         let lowered = lower(
             &hir,
             &reachable,
             &lower::Options {
                 precision: options.precision,
                 arithmetic: options.arithmetic,
-                interface: &interface,
+                interface: &bindings::INTERFACE,
                 double_functions: &double_functions,
             },
         );
@@ -251,7 +260,7 @@ impl Text<'_> {
         &self,
         hir: &hir::Hir,
         reachable: &Reachable,
-        tokens: &[preprocess::Token<'_>],
+        tokens: &[preprocess::Token],
     ) -> Functions {
         let names = |is_used: bool| {
             let own = hir.functions.iter().filter(|(id, function)| {
@@ -334,7 +343,8 @@ impl Text<'_> {
     fn unbound_channels(
         &self,
         program: &Program,
-        tokens: &[preprocess::Token<'_>],
+        names: [Option<Name>; CHANNELS],
+        tokens: &[preprocess::Token],
     ) -> Vec<Diagnostic> {
         let is_unbound = |&channel: &usize| {
             program.channels[channel].texture && self.pass.channels[channel].is_none()
@@ -344,7 +354,9 @@ impl Text<'_> {
             .map(|channel| {
                 let name = bindings::channel_name(channel);
                 let own = tokens.iter().filter(|token| self.is_authors(&token.span));
-                let place = own.into_iter().find(|token| token.is(name));
+                let place = own
+                    .into_iter()
+                    .find(|token| Some(token.spelling) == names[channel]);
                 Diagnostic::warning(
                     "unbound-channel",
                     format!("`{name}` is read but nothing is bound to it: it reads (0, 0, 0, 1)"),

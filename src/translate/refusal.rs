@@ -37,7 +37,7 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// A text of which more becomes than graphics libraries bear.
-pub(super) fn excess(excess: Excess, places: Places<'_, '_>) -> Diagnostic {
+pub(super) fn excess(excess: Excess, places: Places<'_>) -> Diagnostic {
     let (diagnostic, at) = match excess {
         Excess::Depth(at) => {
             let message = format!("statements are nested more than {MAX_BLOCKS} deep before this");

@@ -2,6 +2,7 @@
 
 use vitrine::glsl::check::{self, check};
 use vitrine::glsl::lower::{self, Interface, Lowered, lower, verify::verify};
+use vitrine::glsl::names::Names;
 use vitrine::glsl::places::Places;
 use vitrine::glsl::preprocess::{self, preprocess};
 use vitrine::glsl::prune::Reachable;
@@ -36,11 +37,11 @@ pub fn compile(text: &str, uniforms: Vec<String>) -> Result<Lowered, Refusal> {
         strict,
         ..Default::default()
     };
-    let preprocessed = preprocess(&files, &[file], &options);
+    let preprocessed = preprocess(&files, &[file], &options, Names::default());
     let mut found = preprocessed.diagnostics;
     require_none(&files, &found)?;
     let tokens = &preprocessed.tokens;
-    let mut parsed = syntax::parse(tokens, strict);
+    let mut parsed = syntax::parse(tokens, preprocessed.names, strict);
     found.append(&mut parsed.diagnostics);
     require_none(&files, &found)?;
     let options = check::Options {

@@ -292,7 +292,7 @@ impl Checker<'_> {
                 if init.is_some_and(|init| self.is_true(init)) {
                     self.note_begun_true(Variable::Local(id));
                 }
-                let height = init.map_or(0, |init| self.details[init.id.index()].height);
+                let height = init.map_or(0, |init| self.detail(init.id).height);
                 self.flow.note_height(2 + height);
                 block.push(hir::Stmt {
                     kind: StmtKind::Declare(id, init.map(|init| init.id)),

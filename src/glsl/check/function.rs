@@ -263,7 +263,7 @@ impl Checker<'_> {
                 ..empty()
             },
         );
-        let outer_details = std::mem::take(&mut self.details);
+        self.first_detail = self.details.len();
         // A function with a wrong header is checked for the sake of its body's errors.
         self.current = Some(index.unwrap_or(usize::MAX));
         self.returns_value = index.is_none();
@@ -313,7 +313,8 @@ impl Checker<'_> {
         self.check_complexity(at);
         self.current = None;
         self.flow = outer_flow;
-        self.details = outer_details;
+        self.details.truncate(self.first_detail);
+        self.first_detail = 0;
         let mut function = std::mem::replace(&mut self.function, outer);
         function.body = block;
         if let Some(index) = index {

@@ -63,14 +63,14 @@ pub struct Checked {
 }
 
 /// Checks a program.
-pub fn check(ast: &mut Ast, places: Places<'_, '_>, options: Options) -> Checked {
+pub fn check(ast: &mut Ast, places: Places<'_>, options: Options) -> Checked {
     let names = std::mem::take(&mut ast.names);
     let mut checker = Checker {
         ast,
         places,
         options,
-        builtins: vec![None; names.len()],
-        scopes: Scopes::new(names.len()),
+        builtins: vec![None; names.count()],
+        scopes: Scopes::new(names.count()),
         hir: Hir {
             names,
             ..Hir::default()
@@ -80,6 +80,7 @@ pub fn check(ast: &mut Ast, places: Places<'_, '_>, options: Options) -> Checked
         warnings: 0,
         function: function::empty(),
         details: Vec::new(),
+        first_detail: 0,
         named: IdSet::default(),
         initialised: IdSet::default(),
         constant_parameters: IdSet::default(),
@@ -108,7 +109,7 @@ pub fn check(ast: &mut Ast, places: Places<'_, '_>, options: Options) -> Checked
 /// The state of checking. What is declared is in `scopes`, what is being built in `hir`.
 struct Checker<'a> {
     ast: &'a Ast,
-    places: Places<'a, 'a>,
+    places: Places<'a>,
     options: Options,
     hir: Hir,
     diagnostics: Vec<Diagnostic>,
@@ -120,8 +121,10 @@ struct Checker<'a> {
     scopes: Scopes,
     /// The function whose body is being checked; at global scope, the one that sets globals.
     function: hir::Function,
-    /// About each expression of `function`.
+    /// About each expression of `function`, behind what is about globals.
     details: Vec<Detail>,
+    /// Where the function's begin.
+    first_detail: usize,
     /// Variables of `function` that are named anywhere, and those that begin with a value.
     named: IdSet<hir::Local>,
     initialised: IdSet<hir::Local>,
@@ -289,6 +292,10 @@ impl<'a> Checker<'a> {
         *known.get_or_insert_with(|| Builtin::find(self.hir.names.text(name)))
     }
 
+    fn detail(&self, of: Id<hir::Expr>) -> &Detail {
+        &self.details[self.first_detail + of.index()]
+    }
+
     /// Whether no function is being checked.
     fn is_global(&self) -> bool {
         self.current.is_none()
@@ -319,9 +326,7 @@ impl<'a> Checker<'a> {
     }
 
     fn detail_over(&self, operands: &[Typed], has_effects: bool) -> Detail {
-        let details = operands
-            .iter()
-            .map(|operand| self.details[operand.id.index()]);
+        let details = operands.iter().map(|operand| self.detail(operand.id));
         details.fold(
             Detail {
                 height: 1,
@@ -374,7 +379,7 @@ impl<'a> Checker<'a> {
     }
 
     fn has_effects(&self, of: Typed) -> bool {
-        self.details[of.id.index()].has_effects
+        self.detail(of.id).has_effects
     }
 
     fn operands(&mut self, of: &[Typed]) -> hir::Operands {

@@ -57,7 +57,8 @@ impl Checker<'_> {
                 ExprKind::Global(id) => return self.global_refusal(id),
                 ExprKind::Constant(_) => {
                     let extent = self.function.exprs[at].extent;
-                    let name = self.places.text(extent.first);
+                    let name = self.places.spelling(extent.first);
+                    let name = name.map_or("", |name| self.text(name));
                     let is_name = extent.first == extent.last
                         && name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
                         && !matches!(name, "true" | "false");

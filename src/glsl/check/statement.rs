@@ -88,7 +88,7 @@ impl Checker<'_> {
     }
 
     fn note_height(&mut self, of: Typed, above: u32) {
-        let height = self.details[of.id.index()].height;
+        let height = self.detail(of.id).height;
         self.flow.note_height(above + height);
     }
 

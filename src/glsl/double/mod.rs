@@ -39,6 +39,7 @@ impl Functions {
 mod tests {
     use super::*;
     use crate::glsl::check::{self, check};
+    use crate::glsl::names::Names;
     use crate::glsl::places::Places;
     use crate::glsl::preprocess::preprocess;
     use crate::glsl::prune::Reachable;
@@ -49,9 +50,9 @@ mod tests {
     fn needed(program: &str) -> Vec<String> {
         let mut files = SourceMap::default();
         let units = [files.add("double", TEXT), files.add("program", program)];
-        let own = preprocess(&files, &units[..1], &Default::default());
-        let whole = preprocess(&files, &units, &Default::default());
-        let parsed = syntax::parse(&whole.tokens, true);
+        let own = preprocess(&files, &units[..1], &Default::default(), Names::default());
+        let whole = preprocess(&files, &units, &Default::default(), Names::default());
+        let parsed = syntax::parse(&whole.tokens, whole.names, true);
         let options = check::Options {
             strict: true,
             precision: Precision::Double,

@@ -5,8 +5,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::{SmallVec, smallvec};
 
 use super::constant::Part;
-use super::emit::Shared;
-use super::function::H;
+use super::function::Room;
 use super::table::TableBuilder;
 use super::types::is_opaque;
 use super::{Excess, Lowered, Options, Unguarded, UniformBlock};
@@ -38,8 +37,8 @@ pub(super) struct Context<'a> {
     pub tables: TableBuilder,
     pub uniforms: Option<UniformBlock>,
     pub unguarded: Unguarded,
-    /// Room for [`Builder::shared`](super::function::Builder::shared) of the next function, empty.
-    pub shared: FxHashMap<Shared, H>,
+    /// What the next function's builder begins with.
+    pub room: Room,
     /// How many expressions there are in all functions.
     pub operations: usize,
     /// Set when the program is more than can be borne; no more statements are lowered then.
@@ -83,11 +82,11 @@ impl<'a> Context<'a> {
             tables: TableBuilder::default(),
             uniforms: None,
             unguarded: Unguarded::default(),
-            shared: FxHashMap::default(),
+            room: Room::default(),
             operations: 0,
             excess: None,
         };
-        for (&id, expressions) in reachable.functions.iter().zip(&reachable.expressions) {
+        for (id, expressions) in reachable.bodies() {
             context.analyse(id, expressions);
         }
         context.add_uniforms();

@@ -39,13 +39,13 @@ impl Builder<'_, '_> {
             names.entry(value).or_insert_with(|| "part".to_owned());
             height = 0;
         }
-        self.heights.push(height);
+        self.room.heights.push(height);
         value
     }
 
     /// How many operations stand within each other below an operation.
     fn height_of_operands(&self, expression: &Expression) -> u16 {
-        let height = |value: H| self.heights[value.index()];
+        let height = |value: H| self.room.heights[value.index()];
         match *expression {
             Expression::Access { base, index } => height(base).max(height(index)),
             Expression::AccessIndex { base: value, .. }
@@ -117,7 +117,7 @@ impl Builder<'_, '_> {
 
     /// An expression that is known everywhere, so that one of each kind is enough.
     fn shared(&mut self, key: Shared, expression: Expression) -> H {
-        if let Some(&known) = self.shared.get(&key) {
+        if let Some(&known) = self.room.shared.get(&key) {
             return known;
         }
         debug_assert!(
@@ -125,7 +125,7 @@ impl Builder<'_, '_> {
             "others are known in their block"
         );
         let handle = self.add(expression);
-        self.shared.insert(key, handle);
+        self.room.shared.insert(key, handle);
         handle
     }
 

@@ -256,7 +256,7 @@ impl Builder<'_, '_> {
 
     /// Whether evaluating an expression changes anything.
     pub(super) fn has_effect(&mut self, id: Id<Expr>) -> bool {
-        if let Some(known) = self.effects[id.index()] {
+        if let Some(known) = self.room.effects[id.index()] {
             return known;
         }
         let known = match self.source.exprs[id].kind {
@@ -274,7 +274,7 @@ impl Builder<'_, '_> {
                 any
             }
         };
-        self.effects[id.index()] = Some(known);
+        self.room.effects[id.index()] = Some(known);
         known
     }
 

@@ -23,18 +23,12 @@ pub(super) struct Builder<'c, 'a> {
     pub blocks: Vec<naga::Block>,
     /// The most blocks that have been open at once.
     pub deepest: usize,
-    /// How many operations stand within each other in each expression.
-    pub heights: Vec<u16>,
+    pub room: Room,
     /// The first expression that no statement has emitted yet.
     pub pending: Option<usize>,
     pub span: Span,
-    pub shared: FxHashMap<Shared, H>,
-    /// What stands for each of the source's variables, once it is known.
-    pub locals: Vec<Option<Local>>,
     /// Variables that hold nothing at present.
     pub temporaries: FxHashMap<Type, Vec<H>>,
-    /// Which expressions change anything, as far as has been asked.
-    pub effects: Vec<Option<bool>>,
     /// What is known of integers.
     pub ranges: Ranges,
     /// The loops that the present statement stands in.
@@ -43,6 +37,18 @@ pub(super) struct Builder<'c, 'a> {
     pub in_arm: bool,
     /// Set while the entry point is built.
     pub entry: Option<Entry>,
+}
+
+/// What is known of a function, in memory that serves one function after the other.
+#[derive(Default)]
+pub(super) struct Room {
+    /// How many operations stand within each other in each expression.
+    pub heights: Vec<u16>,
+    pub shared: FxHashMap<Shared, H>,
+    /// What stands for each of the source's variables, once it is known.
+    pub locals: Vec<Option<Local>>,
+    /// Which of the source's expressions change anything, as far as has been asked.
+    pub effects: Vec<Option<bool>>,
 }
 
 /// What only the entry point has.
@@ -92,7 +98,13 @@ impl<'c, 'a> Builder<'c, 'a> {
     pub fn new(context: &'c mut Context<'a>, id: Id<hir::Function>) -> Self {
         let hir = context.hir;
         let source = &hir.functions[id];
-        let shared = std::mem::take(&mut context.shared);
+        let mut room = std::mem::take(&mut context.room);
+        room.heights.clear();
+        room.shared.clear();
+        room.locals.clear();
+        room.locals.resize(source.locals.len(), None);
+        room.effects.clear();
+        room.effects.resize(source.exprs.len(), None);
         Builder {
             function: naga::Function {
                 name: Some(hir.names.text(source.name).to_owned()),
@@ -100,13 +112,10 @@ impl<'c, 'a> Builder<'c, 'a> {
             },
             blocks: vec![naga::Block::new()],
             deepest: 1,
-            heights: Vec::with_capacity(2 * source.exprs.len()),
+            room,
             pending: None,
             span: Span::UNDEFINED,
-            shared,
-            locals: vec![None; source.locals.len()],
             temporaries: FxHashMap::default(),
-            effects: vec![None; source.exprs.len()],
             ranges: Ranges::default(),
             loops: Vec::new(),
             in_arm: false,
@@ -129,8 +138,7 @@ impl<'c, 'a> Builder<'c, 'a> {
     pub fn finish(mut self) -> naga::Function {
         self.function.body = self.close();
         debug_assert!(self.blocks.is_empty(), "every block is closed");
-        self.shared.clear();
-        self.context.shared = self.shared;
+        self.context.room = self.room;
         self.function
     }
 
@@ -180,7 +188,7 @@ impl<'c, 'a> Builder<'c, 'a> {
                     }
                 }
             };
-            self.locals[i] = Some(binding);
+            self.room.locals[i] = Some(binding);
         }
         for (id, pointer, value) in copies {
             match value {
@@ -212,11 +220,11 @@ impl<'c, 'a> Builder<'c, 'a> {
 
     /// What stands for a local variable. One whose declaration is jumped over gets its variable here.
     pub fn local(&mut self, id: Id<hir::Local>) -> Local {
-        if let Some(known) = self.locals[id.index()] {
+        if let Some(known) = self.room.locals[id.index()] {
             return known;
         }
         let local = Local::Pointer(self.variable(self.source.locals[id].ty, self.local_name(id)));
-        self.locals[id.index()] = Some(local);
+        self.room.locals[id.index()] = Some(local);
         local
     }
 

@@ -112,7 +112,7 @@ impl<'a> Builder<'_, 'a> {
     fn declare(&mut self, id: Id<hir::Local>, value: Option<Id<Expr>>) {
         let local = &self.source.locals[id];
         let ty = local.ty;
-        if !local.written && self.locals[id.index()].is_none() {
+        if !local.written && self.room.locals[id.index()].is_none() {
             let constant = match value.map(|value| self.source.exprs[value].kind) {
                 None => Some(Local::Zero),
                 Some(ExprKind::Constant(constant)) => Some(Local::Constant(constant)),
@@ -140,7 +140,7 @@ impl<'a> Builder<'_, 'a> {
                     return;
                 }
             };
-            self.locals[id.index()] = Some(binding);
+            self.room.locals[id.index()] = Some(binding);
             return;
         }
         let pointer = self.local_pointer(id);

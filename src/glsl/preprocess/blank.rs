@@ -7,16 +7,28 @@ use super::lexer::Lexer;
 use crate::source::Diagnostic;
 
 impl Lexer<'_> {
-    /// Moves over white space and comments, but not over line ends outside comments.
+    /// Moves over white space and comments, but not over line ends outside comments. Whether there
+    /// was any.
+    #[inline(always)]
     pub(super) fn skip_blanks(&mut self, findings: &mut Findings) -> bool {
-        let mut space = false;
+        let begin = self.at;
+        while matches!(self.byte(self.at), Some(b' ' | b'\t' | 0x0b | 0x0c)) {
+            self.at += 1;
+        }
+        let space = self.at > begin;
+        match self.byte(self.at) {
+            Some(b'/' | b'\\') => self.skip_comments(space, findings),
+            _ => space,
+        }
+    }
+
+    /// The same where it may be a comment, or lines that are joined; `space` is the answer so far.
+    #[inline(never)]
+    fn skip_comments(&mut self, mut space: bool, findings: &mut Findings) -> bool {
         loop {
             match self.peek() {
                 b' ' | b'\t' | 0x0b | 0x0c => {
-                    // Lines begin with many.
-                    while matches!(self.byte(self.at), Some(b' ' | b'\t' | 0x0b | 0x0c)) {
-                        self.at += 1;
-                    }
+                    self.at += 1;
                     space = true;
                 }
                 b'/' => {

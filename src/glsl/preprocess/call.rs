@@ -7,22 +7,23 @@ use super::expand::{Expansion, Input, Level, Tokens};
 use super::macros::{MacroId, Maker};
 use super::token::{Kind, Token};
 use super::{MAX_CALL, MAX_DEPTH};
+use crate::glsl::words::Symbol;
 use crate::source::Diagnostic;
 
 /// A use of a function-like macro whose arguments are being expanded.
 #[derive(Debug)]
-pub(super) struct Call<'a> {
+pub(super) struct Call {
     of: MacroId,
-    name: Token<'a>,
-    raw: std::vec::IntoIter<Vec<Token<'a>>>,
-    expanded: Vec<Vec<Token<'a>>>,
+    name: Token,
+    raw: std::vec::IntoIter<Vec<Token>>,
+    expanded: Vec<Vec<Token>>,
     /// The tokens in `expanded`.
     length: usize,
 }
 
-impl<'a> Expansion<'a> {
+impl<'a> Expansion {
     /// Reads the arguments of a call, its `(` taken.
-    pub(super) fn call(&mut self, of: MacroId, name: Token<'a>, source: &mut Directives<'a>) {
+    pub(super) fn call(&mut self, of: MacroId, name: Token, source: &mut Directives<'a>) {
         self.level().is_calling = true;
         let mut raw = vec![Vec::new()];
         let is_closed = self.collect(&mut raw, source);
@@ -50,7 +51,7 @@ impl<'a> Expansion<'a> {
         self.end_call(source);
         let problem = match is_closed {
             false => {
-                let message = format!("`{}(` is never closed", name.quoted());
+                let message = format!("`{}(` is never closed", source.quoted(&name));
                 Diagnostic::error("macro-call", message)
                     .hint("add the `)` that ends the macro's arguments")
             }
@@ -60,7 +61,7 @@ impl<'a> Expansion<'a> {
                 } else {
                     "arguments"
                 };
-                let (name, given) = (name.quoted(), raw.len());
+                let (name, given) = (source.quoted(&name), raw.len());
                 let message = format!("the macro `{name}` takes {expected} {noun}, not {given}");
                 Diagnostic::error("macro-call", message)
             }
@@ -69,26 +70,26 @@ impl<'a> Expansion<'a> {
     }
 
     /// Reads the arguments as they stand; `false` if the text ends before they do.
-    fn collect(
-        &mut self,
-        arguments: &mut Vec<Vec<Token<'a>>>,
-        source: &mut Directives<'a>,
-    ) -> bool {
+    fn collect(&mut self, arguments: &mut Vec<Vec<Token>>, source: &mut Directives<'a>) -> bool {
         let mut depth = 1;
         while let Some(mut token) = self.pull(source) {
-            match &*token.text {
-                "(" => depth += 1,
-                ")" if depth == 1 => return true,
-                ")" => depth -= 1,
-                "," if depth == 1 => {
+            match token.spelling.symbol() {
+                Some(Symbol::LeftParenthesis) => depth += 1,
+                Some(Symbol::RightParenthesis) if depth == 1 => return true,
+                Some(Symbol::RightParenthesis) => depth -= 1,
+                Some(Symbol::Comma) if depth == 1 => {
                     arguments.push(Vec::new());
                     continue;
                 }
-                // Its value is that of its own line, and not of the line where the call ends.
-                "__LINE__" if self.is_reading_text() => {
-                    token = source.position(Maker::Line, token.span);
+                Some(_) => {}
+                None => {
+                    let found = source.macros.find(token.spelling);
+                    let maker = found.map(|found| source.macros.get(found).maker);
+                    if maker == Some(Maker::Line) && self.is_reading_text() {
+                        // Its value is that of its own line, and not of the line where the call ends.
+                        token = source.position(Maker::Line, token.span);
+                    }
                 }
-                _ => {}
             }
             source.costs.held += 1;
             arguments.last_mut().expect("there is one").push(token);
@@ -110,8 +111,8 @@ impl<'a> Expansion<'a> {
                 source.costs.held -= argument.len();
                 return self.drop_call(call, source);
             }
-            let is_use = |token: &Token<'a>| {
-                token.kind == Kind::Identifier && source.macros.find(&token.text).is_some()
+            let is_use = |token: &Token| {
+                token.kind == Kind::Identifier && source.macros.find(token.spelling).is_some()
             };
             if argument.iter().any(is_use) {
                 self.level().call = Some(call);
@@ -155,8 +156,8 @@ impl<'a> Expansion<'a> {
     /// Whether the expanded argument is not one too many.
     fn keep_argument(
         &mut self,
-        call: &mut Call<'a>,
-        argument: Vec<Token<'a>>,
+        call: &mut Call,
+        argument: Vec<Token>,
         source: &mut Directives<'a>,
     ) -> bool {
         call.length += argument.len();
@@ -165,7 +166,7 @@ impl<'a> Expansion<'a> {
     }
 
     /// Whether a call may have so many tokens in its arguments or as its result.
-    fn may_bring(&mut self, length: usize, call: &Call<'a>, source: &mut Directives<'a>) -> bool {
+    fn may_bring(&mut self, length: usize, call: &Call, source: &mut Directives<'a>) -> bool {
         if length + self.level().in_contexts <= MAX_CALL {
             return true;
         }
@@ -183,9 +184,9 @@ impl<'a> Expansion<'a> {
     }
 
     /// The macro's text with the arguments in the places of the parameters.
-    fn fill(&mut self, call: &Call<'a>, source: &mut Directives<'a>) -> Option<Vec<Token<'a>>> {
+    fn fill(&mut self, call: &Call, source: &mut Directives<'a>) -> Option<Vec<Token>> {
         let body = Rc::clone(&source.macros.get(call.of).body);
-        let argument = |part: &Token<'a>| Some(&call.expanded[part.parameter()?]);
+        let argument = |part: &Token| Some(&call.expanded[part.parameter()?]);
         let mut length = 0;
         let mut most = 0;
         for part in &*body {
@@ -219,7 +220,7 @@ impl<'a> Expansion<'a> {
     }
 
     /// Goes on behind a call as if it were not there.
-    fn drop_call(&mut self, call: Call<'a>, source: &mut Directives<'a>) {
+    fn drop_call(&mut self, call: Call, source: &mut Directives<'a>) {
         let raw: usize = call.raw.map(|argument| argument.len()).sum();
         source.costs.held -= call.length + raw;
         source.macros.get_mut(call.of).uses -= 1;

@@ -1,5 +1,7 @@
 //! Reads the text line by line, obeys its directives and leaves out what they skip.
 
+use std::borrow::Cow;
+
 use super::condition::{self, misplaced, wrong};
 use super::expand::{Costs, Expansion};
 use super::findings::Findings;
@@ -7,6 +9,7 @@ use super::lexer::{Lexeme, Lexer};
 use super::macros::{Macro, MacroId, Macros, Maker};
 use super::token::{Kind, Token};
 use super::{Options, define, request};
+use crate::glsl::names::Names;
 use crate::source::{Diagnostic, FileId, SourceMap, Span};
 
 /// The text with its directives obeyed: definitions are in force, skipped lines are gone.
@@ -22,14 +25,69 @@ pub(super) struct Directives<'a> {
     line_offset: i64,
     /// What `__FILE__` is.
     file_number: i32,
-    pub macros: Macros<'a>,
+    pub macros: Macros,
     conditionals: Vec<Conditional>,
     is_skipping: bool,
+    pub names: Names,
     pub findings: Findings,
     pub options: Options<'a>,
     pub costs: Costs,
     /// Nothing more comes, whatever is left.
     pub is_stopped: bool,
+}
+
+/// What a directive is.
+#[derive(Clone, Copy, Debug)]
+enum Directive {
+    Opening(Opening),
+    Turning(Turning),
+    Define,
+    Undef,
+    Line,
+    Error,
+    Pragma,
+    Version,
+    Extension,
+    Include,
+    Unknown,
+}
+
+/// What begins a part that may be skipped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Opening {
+    If,
+    Ifdef,
+    Ifndef,
+}
+
+/// What ends such a part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Turning {
+    Elif,
+    Else,
+    Endif,
+}
+
+impl Directive {
+    fn of(name: &str) -> Self {
+        match name {
+            "if" => Directive::Opening(Opening::If),
+            "ifdef" => Directive::Opening(Opening::Ifdef),
+            "ifndef" => Directive::Opening(Opening::Ifndef),
+            "elif" => Directive::Turning(Turning::Elif),
+            "else" => Directive::Turning(Turning::Else),
+            "endif" => Directive::Turning(Turning::Endif),
+            "define" => Directive::Define,
+            "undef" => Directive::Undef,
+            "line" => Directive::Line,
+            "error" => Directive::Error,
+            "pragma" => Directive::Pragma,
+            "version" => Directive::Version,
+            "extension" => Directive::Extension,
+            "include" => Directive::Include,
+            _ => Directive::Unknown,
+        }
+    }
 }
 
 /// An `#if` without its `#endif` yet.
@@ -46,7 +104,12 @@ struct Conditional {
 }
 
 impl<'a> Directives<'a> {
-    pub fn new(files: &'a SourceMap, units: &[FileId], options: &Options<'a>) -> Self {
+    pub fn new(
+        files: &'a SourceMap,
+        units: &[FileId],
+        options: &Options<'a>,
+        names: Names,
+    ) -> Self {
         let mut source = Directives {
             files,
             units: units.iter().rev().copied().collect(),
@@ -57,6 +120,7 @@ impl<'a> Directives<'a> {
             macros: Macros::default(),
             conditionals: Vec::new(),
             is_skipping: false,
+            names,
             findings: Findings::default(),
             options: *options,
             costs: Costs::default(),
@@ -69,24 +133,31 @@ impl<'a> Directives<'a> {
                 end: 0,
             };
             define::predefine(&mut source, start);
-            source.end_unit();
+            source.begin_unit();
         }
         source
     }
 
     /// Defines a macro that is not the text's.
-    pub fn define(&mut self, name: &'a str, body: Vec<Token<'a>>, maker: Maker) {
+    pub fn define(&mut self, name: &str, body: Vec<Token>, maker: Maker) {
+        let name = self.names.intern(name);
         self.macros.define(name, Macro::new(None, body, maker));
     }
 
     /// The value of `__LINE__` or `__FILE__` where the reading is.
-    pub fn position(&self, maker: Maker, place: Span) -> Token<'a> {
+    pub fn position(&mut self, maker: Maker, place: Span) -> Token {
         let lines = self.lexer.as_ref().map_or(0, |lexer| lexer.lines);
         let value = match maker {
             Maker::File => i64::from(self.file_number),
             _ => i64::from(lines) + self.line_offset,
         };
-        Token::new(Kind::Number, value.to_string(), place)
+        let value = self.names.intern(&value.to_string());
+        Token::new(Kind::Number, value, place, false)
+    }
+
+    /// A token's spelling for a message.
+    pub fn quoted(&self, token: &Token) -> Cow<'_, str> {
+        self.names.quoted(token.spelling)
     }
 
     pub fn report(&mut self, diagnostic: Diagnostic) {
@@ -94,74 +165,70 @@ impl<'a> Directives<'a> {
     }
 
     /// Reports what a use of a macro is to blame for, with a note at the macro's definition.
-    pub fn report_use(&mut self, token: &Token<'a>, found: MacroId, problem: Diagnostic) {
+    pub fn report_use(&mut self, token: &Token, found: MacroId, problem: Diagnostic) {
         let mut problem = token.blame(problem);
         if let Some(place) = self.macros.get(found).place() {
-            problem = problem.note(place, format!("`{}` is defined here", token.quoted()));
+            problem = problem.note(place, format!("`{}` is defined here", self.quoted(token)));
         }
         self.report(problem);
     }
 
     /// The next token outside directives and skipped parts.
-    pub fn next(&mut self) -> Option<Token<'a>> {
-        let lexeme = self.next_lexeme()?;
+    pub fn next(&mut self) -> Option<Token> {
+        let lexeme = self.scan()?;
         self.token(lexeme)
     }
 
-    /// The same, not made a token yet.
+    /// The token that was scanned last.
     #[inline(always)]
-    pub fn next_lexeme(&mut self) -> Option<Lexeme> {
+    pub fn token(&self, lexeme: Lexeme) -> Option<Token> {
+        Some(self.lexer.as_ref()?.token(lexeme))
+    }
+
+    /// The same as [`Directives::next`], in a form that stays in registers.
+    #[inline(always)]
+    pub fn scan(&mut self) -> Option<Lexeme> {
         while !self.is_stopped {
-            let Some(lexeme) = self.lex() else {
+            let Some(lexer) = &mut self.lexer else {
                 self.require_endifs();
                 return None;
             };
-            if lexeme.kind == Kind::LineEnd {
-                self.at_line_start = true;
-            } else if self.at_line_start && self.lexer.as_ref()?.is_hash(lexeme) {
-                self.directive();
-            } else {
-                self.at_line_start = false;
-                if !self.is_skipping {
-                    return Some(lexeme);
+            match lexer.scan(&mut self.names, &mut self.findings) {
+                None => self.end_unit(),
+                Some((Kind::LineEnd, ..)) => self.at_line_start = true,
+                Some((Kind::Odd, ..)) if self.at_line_start && lexer.is_hash() => self.directive(),
+                Some(lexeme) => {
+                    self.at_line_start = false;
+                    if !self.is_skipping {
+                        return Some(lexeme);
+                    }
                 }
             }
         }
         None
     }
 
-    /// The token that was read last.
-    #[inline]
-    pub fn token(&self, lexeme: Lexeme) -> Option<Token<'a>> {
-        Some(self.lexer.as_ref()?.token(lexeme))
-    }
-
-    /// The next token of the files, a line end behind each of them.
-    #[inline]
-    fn lex(&mut self) -> Option<Lexeme> {
-        let lexer = self.lexer.as_mut()?;
-        match lexer.next(&mut self.findings) {
-            None => self.end_unit(),
-            lexeme => lexeme,
-        }
-    }
-
-    /// Goes on to the next file; the line ends.
+    /// Goes on to the next file, on a new line.
     #[cold]
-    fn end_unit(&mut self) -> Option<Lexeme> {
-        if let Some(lexer) = self.lexer.take() {
-            self.line_offset += i64::from(lexer.lines) + 1;
-            if lexer.ends_early() {
-                self.units.clear();
-                let message = "the text ends here, at a NUL character";
-                self.report(Diagnostic::warning("nul", message).at(lexer.place()));
-            }
+    fn end_unit(&mut self) {
+        let Some(lexer) = self.lexer.take() else {
+            return;
+        };
+        self.line_offset += i64::from(lexer.lines) + 1;
+        if lexer.ends_early() {
+            self.units.clear();
+            let message = "the text ends here, at a NUL character";
+            self.report(Diagnostic::warning("nul", message).at(lexer.place()));
         }
+        self.begin_unit();
+        self.at_line_start = true;
+    }
+
+    fn begin_unit(&mut self) {
         self.lexer = self.units.pop().map(|file| {
             let text = &self.files.get(file).text;
             Lexer::new(file, text, self.options.strict, &mut self.findings)
         });
-        Some(Lexeme::LINE_END)
     }
 
     /// Finds out whether what follows is skipped.
@@ -177,13 +244,17 @@ impl<'a> Directives<'a> {
     }
 
     /// The rest of a line, its end taken.
-    fn rest_of_line(&mut self) -> Vec<Token<'a>> {
+    fn rest_of_line(&mut self) -> Vec<Token> {
         let mut tokens = Vec::new();
-        while let Some(lexeme) = self.lex()
-            && lexeme.kind != Kind::LineEnd
-            && let Some(lexer) = &self.lexer
-        {
-            tokens.push(lexer.token(lexeme));
+        while let Some(lexer) = &mut self.lexer {
+            match lexer.next(&mut self.names, &mut self.findings) {
+                Some(token) if token.kind != Kind::LineEnd => tokens.push(token),
+                Some(_) => break,
+                None => {
+                    self.end_unit();
+                    break;
+                }
+            }
         }
         self.at_line_start = true;
         tokens
@@ -204,45 +275,47 @@ impl<'a> Directives<'a> {
             return;
         }
         let name = rest.remove(0);
-        match &*name.text {
-            "if" | "ifdef" | "ifndef" => self.open(&name, rest),
-            "elif" | "else" | "endif" => self.turn(&name, rest),
+        let directive = Directive::of(self.names.text(name.spelling));
+        match directive {
+            Directive::Opening(opening) => self.open(opening, &name, rest),
+            Directive::Turning(turning) => self.turn(turning, &name, rest),
             _ if self.is_skipping => {}
-            "define" => define::define(self, &name, rest),
-            "undef" => define::undefine(self, &name, &rest),
-            "line" => self.set_line(&name, rest),
-            "error" => {
+            Directive::Define => define::define(self, &name, rest),
+            Directive::Undef => define::undefine(self, &name, &rest),
+            Directive::Line => self.set_line(&name, rest),
+            Directive::Error => {
                 let words: Vec<_> = rest.iter().map(|token| self.written(token.span)).collect();
                 let message = format!("the text stops here itself: {}", words.join(" "));
                 self.report(wrong(name.span, message));
             }
-            "pragma" => request::pragma(self, &rest),
-            "version" => request::version(self, &name, &rest),
-            "extension" => request::extension(self, &name, &rest),
-            "include" => self.report(
+            Directive::Pragma => request::pragma(self, &rest),
+            Directive::Version => request::version(self, &name, &rest),
+            Directive::Extension => request::extension(self, &name, &rest),
+            Directive::Include => self.report(
                 wrong(name.span, "GLSL has no `#include`").hint("paste the text in its place"),
             ),
-            _ => self.report(wrong(name.span, "there is no such directive")),
+            Directive::Unknown => self.report(wrong(name.span, "there is no such directive")),
         }
     }
 
     /// Complains about what follows a complete directive.
-    pub fn require_end(&mut self, rest: &[Token<'_>]) {
+    pub fn require_end(&mut self, rest: &[Token]) {
         if let Some(extra) = rest.first() {
             self.report(wrong(extra.span, "the line should end before this"));
         }
     }
 
     /// `#if`, `#ifdef` and `#ifndef`.
-    fn open(&mut self, name: &Token<'a>, rest: Vec<Token<'a>>) {
+    fn open(&mut self, opening: Opening, name: &Token, rest: Vec<Token>) {
         let outer_skips = self.is_skipping;
-        let holds = match &*name.text {
+        let holds = match opening {
             _ if outer_skips => false,
-            "if" => condition::holds(self, name, rest),
-            test => match rest.split_first() {
+            Opening::If => condition::holds(self, name, rest),
+            Opening::Ifdef | Opening::Ifndef => match rest.split_first() {
                 Some((word, rest)) if word.kind == Kind::Identifier => {
                     self.require_end(rest);
-                    self.macros.find_mentioned(&word.text).is_some() == (test == "ifdef")
+                    self.macros.find_mentioned(word.spelling).is_some()
+                        == (opening == Opening::Ifdef)
                 }
                 _ => {
                     self.report(wrong(name.span, "a name is missing here"));
@@ -261,22 +334,22 @@ impl<'a> Directives<'a> {
     }
 
     /// `#elif`, `#else` and `#endif`.
-    fn turn(&mut self, name: &Token<'a>, rest: Vec<Token<'a>>) {
+    fn turn(&mut self, turning: Turning, name: &Token, rest: Vec<Token>) {
         let Some(mut conditional) = self.conditionals.pop() else {
-            let message = format!("this `#{}` has no `#if`", name.text);
+            let message = format!("this `#{}` has no `#if`", self.quoted(name));
             return self.report(wrong(name.span, message));
         };
-        match &*name.text {
-            "elif" | "else" if conditional.outer_skips => {}
-            "elif" if conditional.had_else => {
+        match turning {
+            Turning::Elif | Turning::Else if conditional.outer_skips => {}
+            Turning::Elif if conditional.had_else => {
                 self.report(wrong(name.span, "`#elif` after `#else`"));
             }
-            "elif" => {
+            Turning::Elif => {
                 let holds = !conditional.taken && condition::holds(self, name, rest);
                 conditional.skips = !holds;
                 conditional.taken |= holds;
             }
-            "else" => {
+            Turning::Else => {
                 self.require_end(&rest);
                 if conditional.had_else {
                     self.report(wrong(name.span, "a second `#else` for the same `#if`"));
@@ -285,7 +358,7 @@ impl<'a> Directives<'a> {
                 conditional.skips = conditional.taken;
                 conditional.taken = true;
             }
-            _ => {
+            Turning::Endif => {
                 self.note_skipping();
                 return self.require_end(&rest);
             }
@@ -296,21 +369,22 @@ impl<'a> Directives<'a> {
 
     /// `#line` changes what `__LINE__` is in the lines that follow, and `__FILE__` if it has a
     /// second number.
-    fn set_line(&mut self, directive: &Token<'a>, rest: Vec<Token<'a>>) {
+    fn set_line(&mut self, directive: &Token, rest: Vec<Token>) {
         const MOST: u32 = i32::MAX as u32;
         let rest = Expansion::of_list(rest, self);
-        let numbers =
-            condition::evaluate(&rest, directive.span, MOST).and_then(|(line, length)| {
+        let numbers = condition::evaluate(&rest, directive.span, MOST, &self.names).and_then(
+            |(line, length)| {
                 let rest = &rest[length..];
                 if rest.is_empty() {
                     return Ok((line, self.file_number));
                 }
-                let (file, length) = condition::evaluate(rest, directive.span, MOST)?;
+                let (file, length) = condition::evaluate(rest, directive.span, MOST, &self.names)?;
                 match rest.get(length) {
-                    Some(extra) => Err(misplaced(extra)),
+                    Some(extra) => Err(misplaced(extra, &self.names)),
                     None => Ok((line, file)),
                 }
-            });
+            },
+        );
         match numbers {
             Ok((line, file)) => {
                 let lines = self.lexer.as_ref().map_or(0, |lexer| lexer.lines);

@@ -11,15 +11,17 @@ use super::directive::Directives;
 use super::macros::{MacroId, Maker};
 use super::token::{Kind, Token};
 use super::{MAX_BROUGHT, MAX_READ};
+use crate::glsl::names::Name;
+use crate::glsl::words::Symbol;
 use crate::source::{Diagnostic, Span};
 
 /// An expansion under way.
 #[derive(Debug)]
-pub(super) struct Expansion<'a> {
+pub(super) struct Expansion {
     /// The last one is being read; the one before waits for it as an argument.
-    pub(super) levels: Vec<Level<'a>>,
+    pub(super) levels: Vec<Level>,
     /// The outermost macro in use.
-    outermost: Option<(MacroId, Token<'a>)>,
+    outermost: Option<(MacroId, Token)>,
 }
 
 /// What the expansions of a text have cost.
@@ -37,70 +39,69 @@ pub(super) struct Costs {
 
 /// What is expanded by itself: the text, or an argument.
 #[derive(Debug)]
-pub(super) struct Level<'a> {
-    pub(super) input: Input<'a>,
+pub(super) struct Level {
+    pub(super) input: Input,
     /// Texts of macros, to be read before the input goes on; the last first.
-    contexts: Vec<Context<'a>>,
+    contexts: Vec<Context>,
     /// The tokens in `contexts`, those that were read included.
     pub(super) in_contexts: usize,
     /// A token of the input that was read too early.
-    put_back: Option<Token<'a>>,
+    put_back: Option<Token>,
     /// Whether the arguments of a macro are being read.
     pub(super) is_calling: bool,
     /// Macros whose text ended within the arguments of another: they stay active until those are
     /// complete.
     pub(super) ending: Vec<MacroId>,
     /// The call that an argument is being expanded for.
-    pub(super) call: Option<Call<'a>>,
+    pub(super) call: Option<Call>,
     /// What came of an argument so far.
-    pub(super) output: Vec<Token<'a>>,
+    pub(super) output: Vec<Token>,
 }
 
 /// Whether nothing about a token needs a look, which goes for most.
 #[inline]
-fn is_fine_in_itself(token: &Token<'_>) -> bool {
-    match token.kind {
+fn is_fine_in_itself(kind: Kind, name: Name) -> bool {
+    match kind {
         Kind::Identifier | Kind::LineEnd => true,
         // It may stand for a character that GLSL does not know.
-        Kind::Punctuator => !token.is("?"),
+        Kind::Punctuator => name != Symbol::Question.into(),
         Kind::Number | Kind::Odd => false,
     }
 }
 
 #[inline]
-fn add<'a>(token: Token<'a>, tokens: &mut Vec<Token<'a>>) {
+fn make_room(tokens: &mut Vec<Token>) {
     if tokens.len() == tokens.capacity() {
         // To double them would be more than half a large text needs.
         tokens.reserve_exact(tokens.len() / 2 + 64);
     }
-    tokens.push(token);
 }
 
 #[derive(Debug)]
-pub(super) enum Input<'a> {
+pub(super) enum Input {
     /// The text itself, directives obeyed.
     Text,
     /// As many tokens.
-    List(usize, std::vec::IntoIter<Token<'a>>),
+    List(usize, std::vec::IntoIter<Token>),
 }
 
 /// A macro's text, read up to a point.
 #[derive(Debug)]
-struct Context<'a> {
+struct Context {
     of: MacroId,
-    tokens: Tokens<'a>,
+    tokens: Tokens,
     at: usize,
 }
 
 #[derive(Debug)]
-pub(super) enum Tokens<'a> {
+pub(super) enum Tokens {
     /// The macro's own, for a use there, perhaps with white space before it.
-    Body(Rc<Vec<Token<'a>>>, Span, bool),
+    Body(Rc<Vec<Token>>, Span, bool),
     /// With its arguments put in.
-    Filled(Vec<Token<'a>>),
+    Filled(Vec<Token>),
 }
 
-impl Tokens<'_> {
+impl Tokens {
     fn len(&self) -> usize {
         match self {
             Tokens::Body(tokens, ..) => tokens.len(),
@@ -109,8 +110,8 @@ impl Tokens<'_> {
     }
 }
 
-impl<'a> Level<'a> {
-    pub(super) fn new(input: Input<'a>) -> Self {
+impl Level {
+    pub(super) fn new(input: Input) -> Self {
         Level {
             input,
             contexts: Vec::new(),
@@ -124,26 +125,26 @@ impl<'a> Level<'a> {
     }
 }
 
-impl<'a> Expansion<'a> {
+impl<'a> Expansion {
     /// Expands the text.
     pub fn of_text() -> Self {
         Expansion::new(Input::Text)
     }
 
     /// Expands some tokens by themselves.
-    pub fn of_list(tokens: Vec<Token<'a>>, source: &mut Directives<'a>) -> Vec<Token<'a>> {
+    pub fn of_list(tokens: Vec<Token>, source: &mut Directives<'a>) -> Vec<Token> {
         let mut expansion = Expansion::new(Input::List(tokens.len(), tokens.into_iter()));
         std::iter::from_fn(|| expansion.next(source)).collect()
     }
 
-    fn new(input: Input<'a>) -> Self {
+    fn new(input: Input) -> Self {
         Expansion {
             levels: vec![Level::new(input)],
             outermost: None,
         }
     }
 
-    pub(super) fn level(&mut self) -> &mut Level<'a> {
+    pub(super) fn level(&mut self) -> &mut Level {
         self.levels.last_mut().expect("the first is never taken")
     }
 
@@ -157,38 +158,36 @@ impl<'a> Expansion<'a> {
     /// itself, and says of what kind that is.
     pub fn next_into(
         &mut self,
-        tokens: &mut Vec<Token<'a>>,
+        tokens: &mut Vec<Token>,
         source: &mut Directives<'a>,
     ) -> Option<Kind> {
         loop {
             // Most of a text is plain, and there is no need to ask again at each token.
             if self.is_reading_text() {
                 loop {
-                    let lexeme = source.next_lexeme()?;
-                    let token = source.token(lexeme)?;
-                    let kind = lexeme.kind;
-                    if kind == Kind::Identifier && source.macros.find(&token.text).is_some() {
-                        self.level().put_back = Some(token);
+                    let lexeme @ (kind, name, _) = source.scan()?;
+                    if kind == Kind::Identifier && source.macros.find(name).is_some() {
+                        self.level().put_back = source.token(lexeme);
                         break;
                     }
-                    let is_fine = is_fine_in_itself(&token);
-                    add(token, tokens);
-                    if !is_fine {
+                    make_room(tokens);
+                    tokens.push(source.token(lexeme)?);
+                    if !is_fine_in_itself(kind, name) {
                         return Some(kind);
                     }
                 }
             }
             let token = self.next(source)?;
-            let (kind, is_fine) = (token.kind, is_fine_in_itself(&token));
-            add(token, tokens);
-            if !is_fine {
-                return Some(kind);
+            make_room(tokens);
+            tokens.push(token);
+            if !is_fine_in_itself(token.kind, token.spelling) {
+                return Some(token.kind);
             }
         }
     }
 
     /// The next token that is no use of a macro.
-    fn next(&mut self, source: &mut Directives<'a>) -> Option<Token<'a>> {
+    fn next(&mut self, source: &mut Directives<'a>) -> Option<Token> {
         loop {
             let token = self.pull(source);
             if source.is_stopped {
@@ -216,7 +215,7 @@ impl<'a> Expansion<'a> {
     }
 
     /// The next token of the level, macros not expanded.
-    pub(super) fn pull(&mut self, source: &mut Directives<'a>) -> Option<Token<'a>> {
+    pub(super) fn pull(&mut self, source: &mut Directives<'a>) -> Option<Token> {
         let level = self.levels.last_mut().expect("the first is never taken");
         if let Some(token) = level.put_back.take() {
             return Some(token);
@@ -232,7 +231,7 @@ impl<'a> Expansion<'a> {
                     }
                     token
                 }),
-                Tokens::Filled(tokens) => tokens.get(at).cloned(),
+                Tokens::Filled(tokens) => tokens.get(at).copied(),
             };
             if token.is_some() {
                 self.spend(source);
@@ -264,7 +263,7 @@ impl<'a> Expansion<'a> {
     }
 
     /// Puts the token back that was pulled last.
-    fn put_back(&mut self, token: Token<'a>) {
+    fn put_back(&mut self, token: Token) {
         let level = self.level();
         match level.contexts.last_mut() {
             Some(context) => context.at -= 1,
@@ -289,7 +288,7 @@ impl<'a> Expansion<'a> {
         let problem = |message: String| Diagnostic::error("too-complex", message).hint(hint);
         match self.outermost.take() {
             Some((of, name)) => {
-                let message = format!("the macro `{}` expands without end", name.quoted());
+                let message = format!("the macro `{}` expands without end", source.quoted(&name));
                 source.report_use(&name, of, problem(message));
             }
             None => source.report(problem("a directive has too many tokens".to_owned())),
@@ -297,11 +296,11 @@ impl<'a> Expansion<'a> {
     }
 
     /// The token, unless it is a use of a macro: then the macro's text is read next.
-    fn expand(&mut self, mut token: Token<'a>, source: &mut Directives<'a>) -> Option<Token<'a>> {
+    fn expand(&mut self, mut token: Token, source: &mut Directives<'a>) -> Option<Token> {
         if token.kind != Kind::Identifier || token.is_painted() {
             return Some(token);
         }
-        let Some(of) = source.macros.find_mentioned(&token.text) else {
+        let Some(of) = source.macros.find_mentioned(token.spelling) else {
             return Some(token);
         };
         let found = source.macros.get_mut(of);
@@ -326,7 +325,7 @@ impl<'a> Expansion<'a> {
         }
         // The macro counts as used from here on: it cannot be undefined before its `(`.
         match self.pull(source) {
-            Some(next) if next.is("(") => {}
+            Some(next) if next.is(Symbol::LeftParenthesis) => {}
             next => {
                 source.macros.get_mut(of).uses -= 1;
                 if let Some(next) = next {
@@ -340,14 +339,14 @@ impl<'a> Expansion<'a> {
         None
     }
 
-    fn note_outermost(&mut self, of: MacroId, token: &Token<'a>) {
+    fn note_outermost(&mut self, of: MacroId, token: &Token) {
         if self.levels.len() == 1 && self.levels[0].contexts.is_empty() {
-            self.outermost = Some((of, token.clone()));
+            self.outermost = Some((of, *token));
         }
     }
 
     /// Reads a macro's text next.
-    pub(super) fn enter(&mut self, of: MacroId, tokens: Tokens<'a>, source: &mut Directives<'a>) {
+    pub(super) fn enter(&mut self, of: MacroId, tokens: Tokens, source: &mut Directives<'a>) {
         source.macros.get_mut(of).is_active = true;
         let length = tokens.len();
         if let Tokens::Filled(_) = tokens {

@@ -1,35 +1,13 @@
-use std::borrow::Cow;
-
 use super::MAX_SPELLING;
 use super::findings::Findings;
 use super::token::{Kind, Token};
+use crate::glsl::names::{Name, Names, pack};
+use crate::glsl::words::Symbol;
 use crate::source::{Diagnostic, FileId, Span};
 
-/// A token as its place in the file, which is all that most of them ever need.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Lexeme {
-    start: u32,
-    end: u32,
-    pub kind: Kind,
-    flags: u8,
-}
-
-/// White space or a comment stands before it.
-const SPACE: u8 = 1;
-/// Lines are joined within it.
-const JOINED: u8 = 2;
-/// It is a `?` in the place of a character outside ASCII.
-const STAND_IN: u8 = 4;
-
-impl Lexeme {
-    /// The end of a line that has none.
-    pub const LINE_END: Lexeme = Lexeme {
-        start: 0,
-        end: 0,
-        kind: Kind::LineEnd,
-        flags: 0,
-    };
-}
+/// What sort a token is, how it is spelled, and whether there is white space before it. Its place is
+/// where the lexer is.
+pub(super) type Lexeme = (Kind, Name, bool);
 
 /// Turns one file into tokens, line ends included.
 #[derive(Debug)]
@@ -38,6 +16,8 @@ pub(super) struct Lexer<'a> {
     pub(super) text: &'a str,
     file: FileId,
     pub(super) at: usize,
+    /// Where the token being read begins.
+    start: usize,
     /// Behind the last character of the token being read; `at` may be behind a continuation already.
     end: usize,
     /// Line ends passed so far.
@@ -56,6 +36,7 @@ impl<'a> Lexer<'a> {
             text: &text[..nul.unwrap_or(text.len())],
             file,
             at: 0,
+            start: 0,
             end: 0,
             lines: 0,
             owed: 0,
@@ -141,47 +122,73 @@ impl<'a> Lexer<'a> {
         is_next
     }
 
-    /// Makes all bytes of a class part of the token.
-    fn take_all(&mut self, class: u8) {
+    /// Makes all bytes of a class part of the token, and packs them.
+    #[inline]
+    fn take_all(&mut self, class: u8) -> u64 {
+        let mut packed = 0;
         loop {
             let rest = &self.text.as_bytes()[self.at..];
-            let is_other = |byte: &u8| CLASSES[usize::from(*byte)] & class == 0;
-            let length = rest.iter().position(is_other).unwrap_or(rest.len());
+            let mut length = 0;
+            for &byte in rest {
+                if CLASSES[usize::from(byte)] & class == 0 {
+                    break;
+                }
+                packed = pack(packed, byte);
+                length += 1;
+            }
             if length > 0 {
                 self.at += length;
                 self.end = self.at;
             }
             if self.byte(self.at) != Some(b'\\') || !self.skip_continuations() {
-                return;
+                return packed;
             }
         }
     }
 
     /// The next token; `None` at the end of the file, which is preceded by a line end.
-    #[inline]
-    pub fn next(&mut self, findings: &mut Findings) -> Option<Lexeme> {
+    pub fn next(&mut self, names: &mut Names, findings: &mut Findings) -> Option<Token> {
+        let lexeme = self.scan(names, findings)?;
+        Some(self.token(lexeme))
+    }
+
+    /// The token that was scanned last.
+    #[inline(always)]
+    pub fn token(&self, (kind, spelling, has_space): Lexeme) -> Token {
+        Token::new(kind, spelling, self.span(self.start, self.end), has_space)
+    }
+
+    /// The same as [`Lexer::next`] in a form that stays in registers.
+    #[inline(always)]
+    pub fn scan(&mut self, names: &mut Names, findings: &mut Findings) -> Option<Lexeme> {
         if self.owed > 0 {
-            return Some(self.stand_in(0));
+            return Some((Kind::Punctuator, self.stand_in(), false));
         }
-        let space = if self.skip_blanks(findings) { SPACE } else { 0 };
+        let has_space = self.skip_blanks(findings);
         let (start, lines) = (self.at, self.lines);
+        self.start = start;
         let kind = match self.byte(start)? {
             b'\n' | b'\r' => {
                 self.at += self.line_end(start);
                 self.end = self.at;
                 self.lines += 1;
-                return Some(self.lexeme(Kind::LineEnd, start, 0));
+                return Some((Kind::LineEnd, Name::default(), false));
             }
             b'a'..=b'z' | b'A'..=b'Z' | b'_' => {
-                self.take_all(WORD);
+                let packed = self.take_all(WORD);
+                let raw = &self.text[start..self.end];
+                if self.lines == lines && raw.len() <= MAX_SPELLING {
+                    let name = names.intern_packed(packed, raw);
+                    return Some((Kind::Identifier, name, has_space));
+                }
                 Kind::Identifier
             }
-            b'0'..=b'9' => self.number(start),
+            b'0'..=b'9' => self.number(),
             b'.' => {
                 self.take(b'.');
                 match self.peek() {
-                    b'0'..=b'9' => self.number(start),
-                    _ => Kind::Punctuator,
+                    b'0'..=b'9' => self.number(),
+                    _ => return Some((Kind::Punctuator, Symbol::Dot.into(), has_space)),
                 }
             }
             0x80.. => {
@@ -189,76 +196,59 @@ impl<'a> Lexer<'a> {
                 self.at += character.len_utf8();
                 self.end = self.at;
                 self.owed = character.len_utf16();
-                return Some(self.stand_in(space));
+                return Some((Kind::Punctuator, self.stand_in(), has_space));
             }
-            first => self.symbol(first),
+            first => match self.symbol(first) {
+                Some(symbol) => return Some((Kind::Punctuator, symbol.into(), has_space)),
+                None => Kind::Odd,
+            },
         };
-        let joined = self.lines > lines && self.end > start + 1 && {
-            let raw = &self.text.as_bytes()[start..self.end];
-            raw.contains(&b'\\')
-        };
-        let joined = if joined { JOINED } else { 0 };
-        let lexeme = self.lexeme(kind, start, space | joined);
-        if self.end - start > MAX_SPELLING {
-            self.require_short(lexeme, findings);
-        }
-        Some(lexeme)
+        let is_joined = self.lines > lines;
+        Some((
+            kind,
+            self.spelling(kind, is_joined, names, findings),
+            has_space,
+        ))
     }
 
-    fn lexeme(&self, kind: Kind, start: usize, flags: u8) -> Lexeme {
-        Lexeme {
-            start: start as u32,
-            end: self.end as u32,
-            kind,
-            flags,
+    /// How the token just scanned is spelled, where that needs a closer look.
+    fn spelling(
+        &self,
+        kind: Kind,
+        is_joined: bool,
+        names: &mut Names,
+        findings: &mut Findings,
+    ) -> Name {
+        let raw = &self.text[self.start..self.end];
+        let text = match is_joined && raw.contains('\\') {
+            true => &joined(raw),
+            false => raw,
+        };
+        if text.len() > MAX_SPELLING {
+            findings.push(self.too_long(kind));
         }
+        names.intern(text)
     }
 
     /// The `?` in the place of the character just read.
     #[cold]
-    fn stand_in(&mut self, space: u8) -> Lexeme {
+    fn stand_in(&mut self) -> Name {
         self.owed -= 1;
         let read = &self.text[..self.end];
         let length = read.chars().next_back().map_or(0, char::len_utf8);
-        let start = self.end - length;
-        self.lexeme(Kind::Punctuator, start, space | STAND_IN)
+        self.start = self.end - length;
+        Symbol::Question.into()
     }
 
-    /// How a token is spelled.
-    #[inline]
-    pub fn spelling(&self, lexeme: Lexeme) -> Cow<'a, str> {
-        let raw = &self.text[lexeme.start as usize..lexeme.end as usize];
-        match lexeme.flags & (JOINED | STAND_IN) {
-            0 => Cow::Borrowed(raw),
-            STAND_IN => Cow::Borrowed("?"),
-            _ => Cow::Owned(joined(raw)),
-        }
-    }
-
-    /// The token in full.
-    #[inline]
-    pub fn token(&self, lexeme: Lexeme) -> Token<'a> {
-        let span = self.span(lexeme.start as usize, lexeme.end as usize);
-        let mut token = Token::new(lexeme.kind, self.spelling(lexeme), span);
-        token.set_space(lexeme.flags & SPACE != 0);
-        token
-    }
-
-    /// Whether a token is the `#` of a directive, if it stands first in its line.
-    pub fn is_hash(&self, lexeme: Lexeme) -> bool {
-        lexeme.kind == Kind::Odd && self.byte(lexeme.start as usize) == Some(b'#')
+    /// Whether the token that was scanned last is the `#` of a directive, if it stands first in its
+    /// line.
+    pub fn is_hash(&self) -> bool {
+        self.byte(self.start) == Some(b'#')
     }
 
     #[cold]
-    fn require_short(&self, lexeme: Lexeme, findings: &mut Findings) {
-        let token = self.token(lexeme);
-        if token.text.len() > MAX_SPELLING {
-            findings.push(self.too_long(&token));
-        }
-    }
-
-    fn too_long(&self, token: &Token<'_>) -> Diagnostic {
-        let what = match token.kind {
+    fn too_long(&self, kind: Kind) -> Diagnostic {
+        let what = match kind {
             Kind::Number => "number",
             _ => "name",
         };
@@ -267,17 +257,17 @@ impl<'a> Lexer<'a> {
             true => Diagnostic::error("too-long", message),
             false => Diagnostic::warning("too-long", message),
         }
-        .at(token.span)
+        .at(self.span(self.start, self.end))
     }
 
     /// Everything that looks like one number, right or wrong.
-    fn number(&mut self, start: usize) -> Kind {
+    fn number(&mut self) -> Kind {
         self.take_all(NUMBER);
         // A sign belongs to the number only where it makes a float complete: `0xE+1` is a sum.
         let last = self.byte(self.end - 1);
         if matches!(last, Some(b'e' | b'E')) && matches!(self.peek(), b'+' | b'-') {
             let (at, lines) = (self.at, self.lines);
-            let raw = &self.text[start..self.end - 1];
+            let raw = &self.text[self.start..self.end - 1];
             self.at += 1;
             if self.peek().is_ascii_digit() && is_mantissa(raw) {
                 self.take_all(DIGIT);
@@ -289,24 +279,50 @@ impl<'a> Lexer<'a> {
         Kind::Number
     }
 
-    fn symbol(&mut self, first: u8) -> Kind {
+    /// The longest operator or bracket that begins with a byte; `None` if none does. The byte is
+    /// taken in any case.
+    fn symbol(&mut self, first: u8) -> Option<Symbol> {
+        use Symbol as S;
         self.at += 1;
         self.end = self.at;
-        match first {
-            b'+' | b'-' | b'&' | b'|' | b'^' => {
-                let _ = self.take(first) || self.take(b'=');
-            }
-            b'*' | b'/' | b'%' | b'=' | b'!' => {
-                self.take(b'=');
-            }
-            b'<' | b'>' => {
-                self.take(first);
-                self.take(b'=');
-            }
-            b'(' | b')' | b'[' | b']' | b'{' | b'}' | b'~' | b':' | b';' | b',' | b'?' => {}
-            _ => return Kind::Odd,
-        }
-        Kind::Punctuator
+        Some(match first {
+            b'(' => S::LeftParenthesis,
+            b')' => S::RightParenthesis,
+            b'[' => S::LeftBracket,
+            b']' => S::RightBracket,
+            b'{' => S::LeftBrace,
+            b'}' => S::RightBrace,
+            b',' => S::Comma,
+            b':' => S::Colon,
+            b';' => S::Semicolon,
+            b'?' => S::Question,
+            b'~' => S::Complement,
+            b'=' => self.either(b'=', S::Equal, S::Assign),
+            b'!' => self.either(b'=', S::NotEqual, S::Not),
+            b'*' => self.either(b'=', S::StarAssign, S::Star),
+            b'/' => self.either(b'=', S::SlashAssign, S::Slash),
+            b'%' => self.either(b'=', S::PercentAssign, S::Percent),
+            b'+' if self.take(b'+') => S::Increment,
+            b'+' => self.either(b'=', S::PlusAssign, S::Plus),
+            b'-' if self.take(b'-') => S::Decrement,
+            b'-' => self.either(b'=', S::MinusAssign, S::Minus),
+            b'&' if self.take(b'&') => S::AndAnd,
+            b'&' => self.either(b'=', S::AndAssign, S::And),
+            b'|' if self.take(b'|') => S::OrOr,
+            b'|' => self.either(b'=', S::OrAssign, S::Or),
+            b'^' if self.take(b'^') => S::XorXor,
+            b'^' => self.either(b'=', S::XorAssign, S::Xor),
+            b'<' if self.take(b'<') => self.either(b'=', S::ShiftLeftAssign, S::ShiftLeft),
+            b'<' => self.either(b'=', S::LessEqual, S::Less),
+            b'>' if self.take(b'>') => self.either(b'=', S::ShiftRightAssign, S::ShiftRight),
+            b'>' => self.either(b'=', S::GreaterEqual, S::Greater),
+            _ => return None,
+        })
+    }
+
+    /// The one operator if this byte follows, the other if not.
+    fn either(&mut self, byte: u8, with: Symbol, without: Symbol) -> Symbol {
+        if self.take(byte) { with } else { without }
     }
 }
 
@@ -359,15 +375,14 @@ mod tests {
 
     fn spellings(text: &str) -> Vec<String> {
         let file = SourceMap::default().add("a", text);
-        let mut findings = Findings::default();
+        let (mut findings, mut names) = Default::default();
         let mut lexer = Lexer::new(file, text, false, &mut findings);
         let mut spellings = Vec::new();
-        while let Some(lexeme) = lexer.next(&mut findings) {
-            let token = lexer.token(lexeme);
+        while let Some(token) = lexer.next(&mut names, &mut findings) {
             let space = if token.has_space() { " " } else { "" };
             let text = match token.kind {
                 Kind::LineEnd => "¶",
-                _ => &token.text,
+                _ => names.text(token.spelling),
             };
             spellings.push(format!("{space}{text}"));
         }

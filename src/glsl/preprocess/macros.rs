@@ -1,18 +1,18 @@
-use std::borrow::Cow;
 use std::rc::Rc;
 
 use rustc_hash::FxHashMap;
 
 use super::token::Token;
+use crate::glsl::names::Name;
 use crate::source::Span;
 
 /// A macro's definition.
 #[derive(Debug)]
-pub(super) struct Macro<'a> {
+pub(super) struct Macro {
     /// The parameters of a function-like macro.
-    pub parameters: Option<Vec<Cow<'a, str>>>,
+    pub parameters: Option<Vec<Name>>,
     /// The tokens that take the place of a use. Those that name parameters know it.
-    pub body: Rc<Vec<Token<'a>>>,
+    pub body: Rc<Vec<Token>>,
     pub maker: Maker,
     /// Whether it is being expanded, and so is not expanded again.
     pub is_active: bool,
@@ -40,19 +40,14 @@ pub(super) enum Maker {
     },
 }
 
-impl<'a> Macro<'a> {
-    pub fn new(
-        parameters: Option<Vec<Cow<'a, str>>>,
-        mut body: Vec<Token<'a>>,
-        maker: Maker,
-    ) -> Self {
-        let names: &[Cow<'_, str>] = parameters.as_deref().unwrap_or_default();
-        let names: FxHashMap<&str, u32> = names.iter().map(|name| &**name).zip(0..).collect();
-        for token in &mut body {
-            if !names.is_empty()
-                && let Some(&index) = names.get(&*token.text)
-            {
-                token.set_parameter(index);
+impl Macro {
+    pub fn new(parameters: Option<Vec<Name>>, mut body: Vec<Token>, maker: Maker) -> Self {
+        if let Some(names) = parameters.as_ref().filter(|names| !names.is_empty()) {
+            let indices: FxHashMap<Name, u32> = names.iter().copied().zip(0..).collect();
+            for token in &mut body {
+                if let Some(&index) = indices.get(&token.spelling) {
+                    token.set_parameter(index);
+                }
             }
         }
         Macro {
@@ -82,9 +77,9 @@ impl<'a> Macro<'a> {
     }
 
     /// Whether two definitions differ in nothing but the amount of white space.
-    pub fn agrees_with(&self, other: &Macro<'_>) -> bool {
-        let same = |index: usize, a: &Token<'_>, b: &Token<'_>| {
-            a.text == b.text && (index == 0 || a.has_space() == b.has_space())
+    pub fn agrees_with(&self, other: &Macro) -> bool {
+        let same = |index: usize, a: &Token, b: &Token| {
+            a.spelling == b.spelling && (index == 0 || a.has_space() == b.has_space())
         };
         let bodies = self.body.iter().zip(&*other.body);
         self.parameters == other.parameters
@@ -94,64 +89,54 @@ impl<'a> Macro<'a> {
 }
 
 /// Names a macro that is or was defined.
-pub(super) type MacroId = usize;
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct MacroId(u32);
 
 /// The macros that are defined.
 #[derive(Debug, Default)]
-pub(super) struct Macros<'a> {
-    names: FxHashMap<Cow<'a, str>, MacroId>,
+pub(super) struct Macros {
+    /// What each name stands for; names that come last and stand for nothing are left out.
+    by_name: Vec<Option<MacroId>>,
     /// All there ever were: one may be undefined while its text is still being read.
-    list: Vec<Macro<'a>>,
-    /// A bit for each mark of a name that was ever defined. Nearly every name of a text is no
-    /// macro's, and this tells most of them apart without hashing them.
-    marks: [u64; 16],
+    list: Vec<Macro>,
 }
 
-/// A number below 1024 that depends on the name.
-fn mark(name: &str) -> usize {
-    let bytes = name.as_bytes();
-    let at = |index: usize| usize::from(bytes.get(index).copied().unwrap_or(0));
-    let last = at(bytes.len().wrapping_sub(1));
-    (at(0) ^ (at(1) << 3) ^ (last << 5) ^ (bytes.len() << 7)) & 1023
-}
-
-impl<'a> Macros<'a> {
+impl Macros {
     /// Puts a macro in force.
-    pub fn define(&mut self, name: impl Into<Cow<'a, str>>, definition: Macro<'a>) {
-        let name = name.into();
-        let mark = mark(&name);
-        self.marks[mark / 64] |= 1 << (mark % 64);
-        self.names.insert(name, self.list.len());
+    pub fn define(&mut self, name: Name, definition: Macro) {
+        if name.index() >= self.by_name.len() {
+            self.by_name.resize(name.index() + 1, None);
+        }
+        self.by_name[name.index()] = Some(MacroId(self.list.len() as u32));
         self.list.push(definition);
     }
 
-    pub fn undefine(&mut self, name: &str) {
-        self.names.remove(name);
-    }
-
-    /// The macro of a name.
-    pub fn find(&self, name: &str) -> Option<MacroId> {
-        let mark = mark(name);
-        match self.marks[mark / 64] >> (mark % 64) & 1 {
-            0 => None,
-            _ => self.names.get(name).copied(),
+    pub fn undefine(&mut self, name: Name) {
+        if let Some(known) = self.by_name.get_mut(name.index()) {
+            *known = None;
         }
     }
 
+    /// The macro of a name.
+    #[inline]
+    pub fn find(&self, name: Name) -> Option<MacroId> {
+        self.by_name.get(name.index()).copied().flatten()
+    }
+
     /// The same for a name that the text mentions.
-    pub fn find_mentioned(&mut self, name: &str) -> Option<MacroId> {
+    pub fn find_mentioned(&mut self, name: Name) -> Option<MacroId> {
         let id = self.find(name)?;
-        if let Maker::User { is_mentioned, .. } = &mut self.list[id].maker {
+        if let Maker::User { is_mentioned, .. } = &mut self.get_mut(id).maker {
             *is_mentioned = true;
         }
         Some(id)
     }
 
-    pub fn get(&self, id: MacroId) -> &Macro<'a> {
-        &self.list[id]
+    pub fn get(&self, MacroId(index): MacroId) -> &Macro {
+        &self.list[index as usize]
     }
 
-    pub fn get_mut(&mut self, id: MacroId) -> &mut Macro<'a> {
-        &mut self.list[id]
+    pub fn get_mut(&mut self, MacroId(index): MacroId) -> &mut Macro {
+        &mut self.list[index as usize]
     }
 }

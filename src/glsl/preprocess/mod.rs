@@ -19,6 +19,9 @@ mod token;
 
 pub use token::{Kind, Token};
 
+use rustc_hash::FxHashSet;
+
+use crate::glsl::names::{Name, Names};
 use crate::source::{Diagnostic, FileId, SourceMap, Span};
 use directive::Directives;
 use expand::Expansion;
@@ -59,7 +62,9 @@ pub struct Options<'a> {
 #[derive(Debug)]
 pub struct Preprocessed<'a> {
     /// The tokens that are left for the parser.
-    pub tokens: Vec<Token<'a>>,
+    pub tokens: Vec<Token>,
+    /// How they are spelled.
+    pub names: Names,
     /// What is wrong, in the order of the text. Tokens are not to be relied on if any is an error.
     pub diagnostics: Vec<Diagnostic>,
     /// The first character outside ASCII that is left for the parser, as a warning. It reads as `?`,
@@ -69,23 +74,33 @@ pub struct Preprocessed<'a> {
     pub unused_overrides: Vec<&'a str>,
 }
 
-/// Preprocesses files as if they were one text.
+/// Preprocesses files as if they were one text. Texts that are put together later share `names`.
 pub fn preprocess<'a>(
     files: &'a SourceMap,
     units: &[FileId],
     options: &Options<'a>,
+    names: Names,
 ) -> Preprocessed<'a> {
-    let mut source = Directives::new(files, units, options);
+    let mut source = Directives::new(files, units, options, names);
     let mut expansion = Expansion::of_text();
     // Texts of several programs have a token in every four bytes or so.
     let bytes: usize = units.iter().map(|&unit| files.get(unit).text.len()).sum();
     let mut tokens = Vec::with_capacity(bytes / 4);
     let mut odd_character = None;
+    // Most numbers are written more than once.
+    let mut good_numbers = FxHashSet::<Name>::default();
     while let Some(kind) = expansion.next_into(&mut tokens, &mut source) {
         let Some(token) = tokens.last() else { break };
         let problem = match kind {
-            Kind::Number => bad_number(token),
-            Kind::Odd => Some(meaningless(token)),
+            Kind::Number if good_numbers.contains(&token.spelling) => None,
+            Kind::Number => {
+                let problem = bad_number(token, &source.names);
+                if problem.is_none() {
+                    good_numbers.insert(token.spelling);
+                }
+                problem
+            }
+            Kind::Odd => Some(meaningless(token, &source.names)),
             _ => {
                 if odd_character.is_none() {
                     odd_character = stand_in(&source, token);
@@ -103,22 +118,23 @@ pub fn preprocess<'a>(
         odd_character,
         unused_overrides: define::unused_overrides(&source),
         diagnostics: source.findings.into_list(),
+        names: source.names,
     }
 }
 
-fn bad_number(token: &Token<'_>) -> Option<Diagnostic> {
-    let what = match number::parse(&token.text).err()? {
+fn bad_number(token: &Token, names: &Names) -> Option<Diagnostic> {
+    let what = match number::parse(names.text(token.spelling)).err()? {
         NumberError::Malformed => "is not a number",
         NumberError::Overflow => "is too large for an integer",
     };
-    let message = format!("`{}` {what}", token.quoted());
+    let message = format!("`{}` {what}", names.quoted(token.spelling));
     let problem = token.blame(Diagnostic::error("invalid-number", message));
     let hint = "write it as `1`, `1u`, `0x1F` or `1.0`, whole numbers with no more than 32 bits";
     Some(problem.hint(hint))
 }
 
-fn meaningless(token: &Token<'_>) -> Diagnostic {
-    let character = token.text.chars().next().unwrap_or(' ');
+fn meaningless(token: &Token, names: &Names) -> Diagnostic {
+    let character = names.text(token.spelling).chars().next().unwrap_or(' ');
     let shown = visible(character);
     let message = format!("the character `{shown}` means nothing here");
     let problem = token.blame(Diagnostic::error("preprocessor", message));
@@ -138,7 +154,7 @@ fn visible(character: char) -> String {
 }
 
 /// What to say of a `?` that is another character in truth.
-fn stand_in(source: &Directives<'_>, token: &Token<'_>) -> Option<Diagnostic> {
+fn stand_in(source: &Directives<'_>, token: &Token) -> Option<Diagnostic> {
     let place: Span = token.origin().unwrap_or(token.span);
     let written = source.written(place);
     let character = written

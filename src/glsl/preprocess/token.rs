@@ -1,16 +1,16 @@
-use std::borrow::Cow;
-
+use crate::glsl::names::Name;
+use crate::glsl::words::Symbol;
 use crate::source::{Diagnostic, FileId, Span};
 
 /// A preprocessing token.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Token<'a> {
-    /// Its spelling, line continuations removed.
-    pub text: Cow<'a, str>,
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Token {
+    /// How it is spelled, line continuations removed.
+    pub spelling: Name,
     /// Where it stands in the text. For a token of a macro's definition: the outermost use of a
     /// macro that brought it. For a token of an argument: the place in that argument.
     pub span: Span,
-    // Bare numbers instead of `Option<Span>`, so that a token is 48 bytes and not 56.
+    // Bare numbers instead of `Option<Span>`, so that a token is 28 bytes and not 36.
     origin_start: u32,
     origin_end: u32,
     origin_file: u16,
@@ -38,29 +38,28 @@ pub enum Kind {
 const SPACE: u8 = 1;
 /// The token names a macro that was being expanded when it was read, and so is no use of it.
 const PAINTED: u8 = 2;
-
 /// The token names a parameter of the macro in whose body it stands.
 const PARAMETER: u8 = 4;
 
 const NO_FILE: u16 = u16::MAX;
 
-impl<'a> Token<'a> {
+impl Token {
     #[inline]
-    pub(super) fn new(kind: Kind, text: impl Into<Cow<'a, str>>, span: Span) -> Self {
+    pub(super) fn new(kind: Kind, spelling: Name, span: Span, has_space: bool) -> Self {
         Token {
-            text: text.into(),
+            spelling,
             span,
             origin_start: 0,
             origin_end: 0,
             origin_file: NO_FILE,
             kind,
-            flags: 0,
+            flags: if has_space { SPACE } else { 0 },
         }
     }
 
-    /// Whether the token is this operator, bracket or word.
-    pub fn is(&self, text: &str) -> bool {
-        self.text == text
+    /// Whether the token is this operator or bracket.
+    pub(super) fn is(&self, symbol: Symbol) -> bool {
+        self.spelling == symbol.into()
     }
 
     /// Where the token was written in the definition of a macro; `None` if it stands in the text
@@ -88,7 +87,6 @@ impl<'a> Token<'a> {
         // Of more files than a scene ever has, the last ones go without notes.
         let origin_file = u16::try_from(origin.file.index()).unwrap_or(NO_FILE);
         Token {
-            text: self.text.clone(),
             span: place,
             origin_start: origin.start,
             origin_end: origin.end,
@@ -123,15 +121,6 @@ impl<'a> Token<'a> {
         self.flags |= PARAMETER;
         self.origin_start = index;
     }
-
-    /// The spelling, cut where a message would get too long.
-    pub(super) fn quoted(&self) -> Cow<'_, str> {
-        const MOST: usize = 60;
-        match self.text.char_indices().nth(MOST) {
-            Some((end, _)) => Cow::Owned(format!("{}…", &self.text[..end])),
-            None => Cow::Borrowed(&self.text),
-        }
-    }
 }
 
 #[cfg(test)]
@@ -140,6 +129,6 @@ mod tests {
 
     #[test]
     fn tokens_are_small() {
-        assert!(size_of::<Token<'_>>() <= 48);
+        assert!(size_of::<Token>() <= 28);
     }
 }

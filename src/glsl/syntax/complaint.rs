@@ -1,10 +1,10 @@
 //! What is wrong, in words: each mistake once, where the author will look for it.
 
 use super::ast::TokenIndex;
-use super::lexeme::{Lexeme, Symbol, blame, blame_behind, quoted};
+use super::lexeme::{Lexeme, blame, blame_behind};
 use super::parser::{Failed, MAX_ERRORS, Parser};
-use super::words::instead_of;
 use crate::glsl::names::Name;
+use crate::glsl::words::{Symbol, instead_of};
 use crate::source::Diagnostic;
 
 impl Parser<'_> {
@@ -52,7 +52,7 @@ impl Parser<'_> {
             }
             return Failed;
         }
-        let found = quoted(&self.tokens[self.at]);
+        let found = self.spelling(self.at);
         let message = format!("expected {expected}, found {found}");
         let is_behind_comma = matches!(
             self.peek(),
@@ -90,8 +90,11 @@ impl Parser<'_> {
     pub fn keyword_as_name(&mut self) -> (Name, TokenIndex) {
         let at = self.advance();
         let token = &self.tokens[at as usize];
-        let name = self.ast.names.intern(&token.text);
-        let message = format!("{} is a keyword and cannot be a name", quoted(token));
+        let name = token.spelling;
+        let message = format!(
+            "{} is a keyword and cannot be a name",
+            self.spelling(at as usize)
+        );
         let diagnostic = Diagnostic::error("syntax", message).hint("choose another name");
         let diagnostic = blame(token, diagnostic);
         self.report(at as usize, diagnostic);
@@ -101,7 +104,7 @@ impl Parser<'_> {
 
     /// A token as messages quote it.
     pub fn spelling(&self, at: usize) -> String {
-        quoted(&self.tokens[at])
+        format!("`{}`", self.ast.names.quoted(self.tokens[at].spelling))
     }
 
     pub fn too_early(&mut self, expected: &str) -> Failed {

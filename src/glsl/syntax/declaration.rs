@@ -6,12 +6,12 @@ use super::ast::{
     Declaration, Declarator, Header, Item, Parameter, QualifiedType, Qualifier, QualifierKind,
     Sizes, TokenIndex, TypeKind,
 };
-use super::lexeme::{Lexeme, Symbol};
+use super::lexeme::Lexeme;
 use super::parser::{Failed, Parse, Parser};
-use super::words::Word;
 use crate::glsl::arena::Range;
 use crate::glsl::names::Name;
 use crate::glsl::types::Base;
+use crate::glsl::words::{Symbol, Word};
 
 /// A declaration, or what precedes the body of a function.
 #[derive(Debug)]

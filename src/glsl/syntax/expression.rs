@@ -3,10 +3,11 @@
 use super::ast::{
     ArraySize, BinaryOp, Callee, Expr, ExprKind, TokenIndex, TypeKind, TypeSpecifier, UnaryOp,
 };
-use super::lexeme::{Lexeme, Symbol};
+use super::lexeme::Lexeme;
 use super::parser::{Parse, Parser};
 use crate::glsl::arena::Id;
 use crate::glsl::types::Base;
+use crate::glsl::words::Symbol;
 
 /// An operator and its left operand. They wait for the right operand, which may hold operators that
 /// bind tighter.

@@ -1,12 +1,14 @@
 //! What the parser sees of a preprocessing token: everything in this folder that knows what tokens
 //! look like is here.
 
+use std::sync::LazyLock;
+
 use super::ast::TokenIndex;
-use super::words::{KNOWN, Known, Word, spelled};
-use crate::glsl::names::{Name, Names, hash};
+use crate::glsl::names::{Name, Names};
 use crate::glsl::preprocess::number::{self, Number};
 use crate::glsl::preprocess::{Kind, Token};
 use crate::glsl::types::Base;
+use crate::glsl::words::{self, Item, Symbol, Word};
 use crate::source::{Diagnostic, Span};
 
 /// One token, as the grammar takes it.
@@ -34,82 +36,6 @@ pub(super) enum Lexeme {
     End,
 }
 
-spelled! {
-    /// An operator or a bracket.
-    Symbol {
-        LeftParenthesis = "(",
-        RightParenthesis = ")",
-        LeftBracket = "[",
-        RightBracket = "]",
-        LeftBrace = "{",
-        RightBrace = "}",
-        Dot = ".",
-        Comma = ",",
-        Colon = ":",
-        Semicolon = ";",
-        Question = "?",
-        Assign = "=",
-        Not = "!",
-        Complement = "~",
-        Plus = "+",
-        Minus = "-",
-        Star = "*",
-        Slash = "/",
-        Percent = "%",
-        Less = "<",
-        Greater = ">",
-        Or = "|",
-        Xor = "^",
-        And = "&",
-        Increment = "++",
-        Decrement = "--",
-        LessEqual = "<=",
-        GreaterEqual = ">=",
-        Equal = "==",
-        NotEqual = "!=",
-        AndAnd = "&&",
-        OrOr = "||",
-        XorXor = "^^",
-        ShiftLeft = "<<",
-        ShiftRight = ">>",
-        PlusAssign = "+=",
-        MinusAssign = "-=",
-        StarAssign = "*=",
-        SlashAssign = "/=",
-        PercentAssign = "%=",
-        AndAssign = "&=",
-        OrAssign = "|=",
-        XorAssign = "^=",
-        ShiftLeftAssign = "<<=",
-        ShiftRightAssign = ">>=",
-    }
-}
-
-impl Symbol {
-    /// Whether it may follow a variable's name at the beginning of a statement.
-    pub fn follows_place(self) -> bool {
-        use Symbol::*;
-        matches!(
-            self,
-            LeftParenthesis
-                | Dot
-                | Increment
-                | Decrement
-                | Assign
-                | PlusAssign
-                | MinusAssign
-                | StarAssign
-                | SlashAssign
-                | PercentAssign
-                | AndAssign
-                | OrAssign
-                | XorAssign
-                | ShiftLeftAssign
-                | ShiftRightAssign
-        )
-    }
-}
-
 /// A text's tokens, read once.
 #[derive(Debug)]
 pub(super) struct Lexemes {
@@ -119,65 +45,45 @@ pub(super) struct Lexemes {
     pub reserved: Vec<(Name, TokenIndex)>,
 }
 
+/// What each of the vocabulary is to the parser.
+static VOCABULARY: LazyLock<Vec<Option<Lexeme>>> = LazyLock::new(|| {
+    let lexeme = |item| match item {
+        Item::Symbol(symbol) => Some(Lexeme::Symbol(symbol)),
+        Item::Word(word) => Some(Lexeme::Word(word)),
+        Item::Type(base) => Some(Lexeme::Type(base)),
+        Item::Bool(value) => Some(Lexeme::Bool(value)),
+        Item::Reserved => None,
+    };
+    words::vocabulary().map(|(_, item)| lexeme(item)).collect()
+});
+
 /// Reads the tokens.
-pub(super) fn read(tokens: &[Token<'_>], names: &mut Names) -> Lexemes {
-    let known = &*KNOWN;
+pub(super) fn read(tokens: &[Token], names: &Names) -> Lexemes {
+    let vocabulary = &**VOCABULARY;
     let mut list = Vec::with_capacity(tokens.len() + 1);
     let mut reserved: Vec<(Name, TokenIndex)> = Vec::new();
     let mut after_dot = false;
     for (index, token) in tokens.iter().enumerate() {
-        let text: &str = &token.text;
-        let lexeme = match token.kind {
+        let name = token.spelling;
+        let lexeme = match (token.kind, vocabulary.get(name.index())) {
+            (Kind::Number, _) => number(names.text(name)),
+            (Kind::Odd | Kind::LineEnd, _) => Lexeme::Refused,
             // Behind a dot every word is just a name.
-            Kind::Identifier if after_dot => Lexeme::Name(names.intern(text)),
-            Kind::Identifier => {
-                let hashed = hash(text);
-                match known.get(hashed, text) {
-                    None => Lexeme::Name(names.intern_hashed(hashed, text)),
-                    Some(Known::Lexeme(lexeme)) => lexeme,
-                    Some(Known::Reserved) => {
-                        let name = names.intern_hashed(hashed, text);
-                        if reserved.iter().all(|(earlier, _)| *earlier != name) {
-                            reserved.push((name, index as TokenIndex));
-                        }
-                        Lexeme::Name(name)
-                    }
+            (Kind::Identifier, _) if after_dot => Lexeme::Name(name),
+            (_, Some(&Some(lexeme))) => lexeme,
+            (_, Some(None)) => {
+                if reserved.iter().all(|(earlier, _)| *earlier != name) {
+                    reserved.push((name, index as TokenIndex));
                 }
+                Lexeme::Name(name)
             }
-            Kind::Number => number(text),
-            Kind::Punctuator => punctuator(text),
-            Kind::Odd | Kind::LineEnd => Lexeme::Refused,
+            (_, None) => Lexeme::Name(name),
         };
         after_dot = lexeme == Lexeme::Symbol(Symbol::Dot);
         list.push(lexeme);
     }
     list.push(Lexeme::End);
     Lexemes { list, reserved }
-}
-
-/// An operator or a bracket. Most are a single byte, which is faster than to look them up.
-fn punctuator(text: &str) -> Lexeme {
-    use Symbol as S;
-    Lexeme::Symbol(match text.as_bytes() {
-        b"(" => S::LeftParenthesis,
-        b")" => S::RightParenthesis,
-        b"," => S::Comma,
-        b"." => S::Dot,
-        b";" => S::Semicolon,
-        b"*" => S::Star,
-        b"=" => S::Assign,
-        b"+" => S::Plus,
-        b"-" => S::Minus,
-        b"/" => S::Slash,
-        b"{" => S::LeftBrace,
-        b"}" => S::RightBrace,
-        b"[" => S::LeftBracket,
-        b"]" => S::RightBracket,
-        _ => match KNOWN.get(hash(text), text) {
-            Some(Known::Lexeme(symbol)) => return symbol,
-            _ => return Lexeme::Refused,
-        },
-    })
 }
 
 /// The value of a number. One that is not well-formed has been refused already and counts as zero, so
@@ -194,25 +100,16 @@ fn number(text: &str) -> Lexeme {
 }
 
 /// Points a diagnostic at a token.
-pub(super) fn blame(token: &Token<'_>, diagnostic: Diagnostic) -> Diagnostic {
+pub(super) fn blame(token: &Token, diagnostic: Diagnostic) -> Diagnostic {
     token.blame(diagnostic)
 }
 
 /// Points a diagnostic at what should follow a token.
-pub(super) fn blame_behind(token: &Token<'_>, diagnostic: Diagnostic) -> Diagnostic {
+pub(super) fn blame_behind(token: &Token, diagnostic: Diagnostic) -> Diagnostic {
     diagnostic.at(Span {
         start: token.span.end,
         ..token.span
     })
-}
-
-/// A token's spelling, as messages quote it.
-pub(super) fn quoted(token: &Token<'_>) -> String {
-    const MOST: usize = 40;
-    match token.text.char_indices().nth(MOST) {
-        Some((end, _)) => format!("`{}…`", &token.text[..end]),
-        None => format!("`{}`", token.text),
-    }
 }
 
 #[cfg(test)]

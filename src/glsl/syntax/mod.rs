@@ -11,9 +11,8 @@ mod parser;
 mod recovery;
 mod specifier;
 mod statement;
-mod words;
 
-use crate::glsl::names;
+use crate::glsl::names::Names;
 use crate::glsl::preprocess::Token;
 use crate::source::Diagnostic;
 use ast::Ast;
@@ -34,15 +33,10 @@ pub struct Parsed {
 /// Time and memory are proportional to the number of tokens, and a stack of 16 MiB (64 MiB in an
 /// unoptimised build) is enough for whatever they are. No tree is deeper than
 /// [`MAX_EXPRESSION_HEIGHT`] and [`MAX_STATEMENT_HEIGHT`].
-pub fn parse(tokens: &[Token<'_>], strict: bool) -> Parsed {
-    let mut parser = Parser::new(tokens);
+pub fn parse(tokens: &[Token], names: Names, strict: bool) -> Parsed {
+    let mut parser = Parser::new(tokens, names);
     parser.translation_unit();
     parser.finish(strict)
-}
-
-/// Whether a spelling is a keyword, or a word that is kept for one.
-pub fn is_word(text: &str) -> bool {
-    words::KNOWN.get(names::hash(text), text).is_some()
 }
 
 pub use parser::{MAX_EXPRESSION_HEIGHT, MAX_STATEMENT_HEIGHT};

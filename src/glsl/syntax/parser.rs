@@ -3,12 +3,12 @@
 use super::Parsed;
 use super::ast::{Ast, Callee, Expr, ExprKind, Extent, Item, Stmt, StmtKind, TokenIndex};
 use super::expression::Pending;
-use super::lexeme::{self, Lexeme, Symbol, blame, blame_behind, quoted};
+use super::lexeme::{self, Lexeme, blame, blame_behind};
 use super::statement::Arm;
-use super::words::{Word, instead_of};
 use crate::glsl::arena::Id;
-use crate::glsl::names::Name;
+use crate::glsl::names::{Name, Names};
 use crate::glsl::preprocess::Token;
+use crate::glsl::words::{Symbol, Word, instead_of};
 use crate::source::Diagnostic;
 
 /// The deepest tree of an expression: as many operators in a row, or brackets in brackets.
@@ -32,7 +32,7 @@ pub(super) type Parse<T> = Result<T, Failed>;
 
 #[derive(Debug)]
 pub(super) struct Parser<'a> {
-    pub tokens: &'a [Token<'a>],
+    pub tokens: &'a [Token],
     pub lexemes: Vec<Lexeme>,
     pub reserved: Vec<(Name, TokenIndex)>,
     /// Reserved words that an error was about.
@@ -63,9 +63,12 @@ pub(super) struct Parser<'a> {
 }
 
 impl<'a> Parser<'a> {
-    pub fn new(tokens: &'a [Token<'a>]) -> Self {
-        let mut ast = Ast::default();
-        let read = lexeme::read(tokens, &mut ast.names);
+    pub fn new(tokens: &'a [Token], names: Names) -> Self {
+        let read = lexeme::read(tokens, &names);
+        let mut ast = Ast {
+            names,
+            ..Ast::default()
+        };
         // About as many as there are in most texts; the largest may well be wrong before their end.
         let size = tokens.len().min(1 << 16);
         ast.exprs.reserve(size / 2);
@@ -226,13 +229,13 @@ impl Parser<'_> {
             return Ok(());
         }
         let open = open as usize;
-        let bracket = &self.tokens[open].text;
+        let bracket = self.spelling(open);
         let hint = match open.checked_sub(1).map(|before| self.lexemes[before]) {
             Some(Lexeme::Name(_) | Lexeme::Type(_) | Lexeme::Word(_)) => {
-                let before = quoted(&self.tokens[open - 1]);
-                format!("the `{bracket}` behind {before} is still open")
+                let before = self.spelling(open - 1);
+                format!("the {bracket} behind {before} is still open")
             }
-            _ => format!("a `{bracket}` before it is still open"),
+            _ => format!("a {bracket} before it is still open"),
         };
         Err(self.unexpected_but(expected, Some(&hint)))
     }
@@ -255,7 +258,7 @@ impl Parser<'_> {
             | Lexeme::Symbol(Symbol::RightBrace)
                 if self.at > 0 =>
             {
-                let found = quoted(&self.tokens[self.at]);
+                let found = self.spelling(self.at);
                 let message = format!("a `;` is missing before {found}");
                 let diagnostic = Diagnostic::error("syntax", message);
                 let diagnostic = blame_behind(&self.tokens[self.at - 1], diagnostic);

@@ -1,9 +1,9 @@
 //! Going on behind what is wrong, where the next thing is likely to begin.
 
 use super::ast::TokenIndex;
-use super::lexeme::{Lexeme, Symbol};
+use super::lexeme::Lexeme;
 use super::parser::{Parse, Parser};
-use super::words::Word;
+use crate::glsl::words::{Symbol, Word};
 
 impl Parser<'_> {
     /// Forgets what was begun; the next token may well be wrong for the same reason as the last.

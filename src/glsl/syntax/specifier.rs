@@ -7,10 +7,10 @@ use super::ast::{
     StructDefinition, TokenIndex, TypeKind, TypeSpecifier,
 };
 use super::declaration::{Declarators, LIST_OR_END};
-use super::lexeme::{Lexeme, Symbol};
+use super::lexeme::Lexeme;
 use super::parser::{Parse, Parser};
-use super::words::Word;
 use crate::glsl::arena::Range;
+use crate::glsl::words::{Symbol, Word};
 
 impl Parser<'_> {
     /// Any number of `[3]` and `[]`.

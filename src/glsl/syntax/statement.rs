@@ -2,10 +2,10 @@
 
 use super::ast::{Condition, Declaration, Declarator, Expr, Sizes, Stmt, StmtKind, TokenIndex};
 use super::declaration::Declared;
-use super::lexeme::{Lexeme, Symbol};
+use super::lexeme::Lexeme;
 use super::parser::{Failed, Parse, Parser};
-use super::words::Word;
 use crate::glsl::arena::{Id, Range};
+use crate::glsl::words::{Symbol, Word};
 
 /// How deep statements nest, `else if` apart. The parser recurses on them.
 const MAX_NESTING: usize = 1_000;

@@ -1,14 +1,13 @@
 use super::{Parsed, parse, show};
+use crate::glsl::names::Names;
 use crate::glsl::preprocess::{Options, preprocess};
 use crate::source::SourceMap;
 
 fn parsed(text: &str, strict: bool) -> Parsed {
     let mut files = SourceMap::default();
     let file = files.add("a", text);
-    parse(
-        &preprocess(&files, &[file], &Options::default()).tokens,
-        strict,
-    )
+    let made = preprocess(&files, &[file], &Options::default(), Names::default());
+    parse(&made.tokens, made.names, strict)
 }
 
 /// The tree of a text, one item a line.

@@ -1,4 +1,5 @@
 use super::{Options, Token, preprocess};
+use crate::glsl::names::Names;
 use crate::source::{Diagnostic, SourceMap, Span};
 
 /// What comes of a text: its tokens, and what there is to say about it.
@@ -23,8 +24,11 @@ fn run_with(text: &str, strict: bool, overrides: &[(&str, &str)]) -> Outcome {
         overrides: &overrides,
         strict,
     };
-    let made = preprocess(&files, &[file], &options);
-    let spelled = |token: Token<'_>| (token.text.to_string(), token.span, token.origin());
+    let made = preprocess(&files, &[file], &options, Names::default());
+    let spelled = |token: Token| {
+        let text = made.names.text(token.spelling).to_owned();
+        (text, token.span, token.origin())
+    };
     Outcome {
         tokens: made.tokens.into_iter().map(spelled).collect(),
         diagnostics: made.diagnostics,

@@ -1,13 +1,8 @@
-//! The words of the language and what each is: a keyword, a type, or reserved for later.
+//! The vocabulary of the language: its operators and brackets, its words, and what each of them is.
 
 use std::fmt;
-use std::sync::LazyLock;
 
-use hashbrown::HashTable;
-
-use super::lexeme::{Lexeme, Symbol};
-use crate::glsl::names;
-use crate::glsl::types::{Base, Sampler, Scalar, Shape};
+use super::types::{Base, Sampler, Scalar, Shape};
 
 /// Defines an enum whose elements are spelled in one way each.
 macro_rules! spelled {
@@ -31,7 +26,81 @@ macro_rules! spelled {
         }
     };
 }
-pub(super) use spelled;
+spelled! {
+    /// An operator or a bracket.
+    Symbol {
+        LeftParenthesis = "(",
+        RightParenthesis = ")",
+        LeftBracket = "[",
+        RightBracket = "]",
+        LeftBrace = "{",
+        RightBrace = "}",
+        Dot = ".",
+        Comma = ",",
+        Colon = ":",
+        Semicolon = ";",
+        Question = "?",
+        Assign = "=",
+        Not = "!",
+        Complement = "~",
+        Plus = "+",
+        Minus = "-",
+        Star = "*",
+        Slash = "/",
+        Percent = "%",
+        Less = "<",
+        Greater = ">",
+        Or = "|",
+        Xor = "^",
+        And = "&",
+        Increment = "++",
+        Decrement = "--",
+        LessEqual = "<=",
+        GreaterEqual = ">=",
+        Equal = "==",
+        NotEqual = "!=",
+        AndAnd = "&&",
+        OrOr = "||",
+        XorXor = "^^",
+        ShiftLeft = "<<",
+        ShiftRight = ">>",
+        PlusAssign = "+=",
+        MinusAssign = "-=",
+        StarAssign = "*=",
+        SlashAssign = "/=",
+        PercentAssign = "%=",
+        AndAssign = "&=",
+        OrAssign = "|=",
+        XorAssign = "^=",
+        ShiftLeftAssign = "<<=",
+        ShiftRightAssign = ">>=",
+    }
+}
+
+impl Symbol {
+    /// Whether it may follow a variable's name at the beginning of a statement.
+    pub fn follows_place(self) -> bool {
+        use Symbol::*;
+        matches!(
+            self,
+            LeftParenthesis
+                | Dot
+                | Increment
+                | Decrement
+                | Assign
+                | PlusAssign
+                | MinusAssign
+                | StarAssign
+                | SlashAssign
+                | PercentAssign
+                | AndAssign
+                | OrAssign
+                | XorAssign
+                | ShiftLeftAssign
+                | ShiftRightAssign
+        )
+    }
+}
 
 spelled! {
     /// A keyword that is neither a type nor a value.
@@ -88,59 +157,40 @@ impl Word {
     }
 }
 
-/// What a spelling is known for.
+/// What is in the vocabulary.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Known {
-    /// A part of the language.
-    Lexeme(Lexeme),
+pub(super) enum Item {
+    /// An operator or a bracket.
+    Symbol(Symbol),
+    /// A keyword.
+    Word(Word),
+    /// The keyword of a type.
+    Type(Base),
+    /// `true` or `false`.
+    Bool(bool),
     /// A word that WebGL2 keeps back.
     Reserved,
 }
 
-/// Spellings that are not just names, by their [`names::hash`].
-#[derive(Debug)]
-pub(super) struct Vocabulary {
-    table: HashTable<(&'static str, Known)>,
-    /// For each first byte, a bit for each length. Most names of a program are like no word in both.
-    lengths: [u32; 256],
-}
+/// How large the vocabulary is.
+pub(super) const COUNT: usize =
+    Symbol::ALL.len() + Word::ALL.len() + TYPES.len() + TRUTHS.len() + RESERVED.len();
 
-impl Vocabulary {
-    /// What a spelling with this hash is known for.
-    pub fn get(&self, hashed: u64, text: &str) -> Option<Known> {
-        let first = *text.as_bytes().first()?;
-        if self.lengths[usize::from(first)] & length_bit(text) == 0 {
-            return None;
-        }
-        let found = self.table.find(hashed, |(known, _)| *known == text);
-        found.map(|(_, known)| *known)
-    }
-}
-
-/// A bit for a length; all that are too long for a bit of their own share one.
-fn length_bit(text: &str) -> u32 {
-    1 << text.len().min(31)
-}
-
-/// Every spelling that is not just a name.
-pub(super) static KNOWN: LazyLock<Vocabulary> = LazyLock::new(|| {
-    let symbols = Symbol::ALL
+/// The vocabulary, each with its spelling. The symbols come first, in their order.
+pub(super) fn vocabulary() -> impl Iterator<Item = (&'static str, Item)> {
+    let symbols = Symbol::ALL.iter().map(|&it| (it.text(), Item::Symbol(it)));
+    let words = Word::ALL.iter().map(|&it| (it.text(), Item::Word(it)));
+    let types = TYPES.iter().map(|&(text, base)| (text, Item::Type(base)));
+    let truths = TRUTHS
         .iter()
-        .map(|&it| (it.text(), Lexeme::Symbol(it)));
-    let words = Word::ALL.iter().map(|&it| (it.text(), Lexeme::Word(it)));
-    let types = TYPES.iter().map(|&(text, base)| (text, Lexeme::Type(base)));
-    let truths = [("true", Lexeme::Bool(true)), ("false", Lexeme::Bool(false))];
-    let reserved = RESERVED.iter().map(|&text| (text, Known::Reserved));
-    let lexemes = symbols.chain(words).chain(types).chain(truths);
-    let lexemes = lexemes.map(|(text, lexeme)| (text, Known::Lexeme(lexeme)));
-    let mut table = HashTable::new();
-    let mut lengths = [0; 256];
-    for known in lexemes.chain(reserved) {
-        lengths[usize::from(known.0.as_bytes()[0])] |= length_bit(known.0);
-        table.insert_unique(names::hash(known.0), known, |known| names::hash(known.0));
-    }
-    Vocabulary { table, lengths }
-});
+        .map(|&(text, value)| (text, Item::Bool(value)));
+    let reserved = RESERVED.iter().map(|&text| (text, Item::Reserved));
+    symbols
+        .chain(words)
+        .chain(types)
+        .chain(truths)
+        .chain(reserved)
+}
 
 const fn scalar(scalar: Scalar) -> Base {
     Base::Scalar(scalar)
@@ -216,6 +266,8 @@ const TYPES: &[(&str, Base)] = &[
     ("samplerCubeShadow", shadow(Shape::Cube)),
     ("sampler2DArrayShadow", shadow(Shape::Layers)),
 ];
+
+const TRUTHS: &[(&str, bool)] = &[("true", true), ("false", false)];
 
 /// What a browser takes neither for a name nor for anything else.
 #[rustfmt::skip]
