@@ -36,7 +36,7 @@ const MAX_DEPTH: usize = 1000;
 /// The most tokens in the arguments of a macro call, or in what comes of it, for a browser.
 const MAX_CALL: usize = 10_000;
 
-/// The most tokens that macros may bring, those counted that are in memory on the way: 86 MB of
+/// The most tokens that macros may bring, those counted that are in memory on the way: 50 MB of
 /// them. The largest of some 141,000 published shaders has fewer than a million tokens in all.
 const MAX_BROUGHT: usize = 1_800_000;
 
