@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 use glam::UVec2;
 use vitrine::export::{Frames, Job, OutPattern, Summary, export};
 use vitrine::frame::Clock;
-use vitrine::render::{AdapterChoice, Gpu, Target, Watchdog};
+use vitrine::render::{AdapterChoice, Format, Gpu, Target, Watchdog};
 use vitrine::scene::Source;
 use vitrine::session::Session;
 use vitrine::translate::Options;
@@ -92,7 +92,7 @@ fn template(gpu: &Gpu) {
 
 /// Draws frames one after the other, waits for them and looks at none.
 fn bare_loop(gpu: &Gpu, session: &Session, size: UVec2, frames: u32) -> Duration {
-    let target = Target::new(gpu, size).expect("a size that the adapter draws");
+    let target = Target::new(gpu, size, Format::Bytes).expect("a size that the adapter draws");
     let clock = Clock::fixed(60.0);
     let start = Instant::now();
     for frame in 0..frames {

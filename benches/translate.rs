@@ -144,6 +144,7 @@ fn ours(text: &Text, arithmetic: Arithmetic, times: &mut [Duration; 5]) -> bool 
         &lower::Options {
             precision: Precision::Single,
             arithmetic,
+            output: lower::Output::Colour,
             interface: &bindings::INTERFACE,
             double_functions: &double_functions,
         },

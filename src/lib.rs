@@ -18,6 +18,8 @@
 pub mod export;
 pub mod frame;
 pub mod glsl;
+#[cfg(feature = "gpu")]
+pub mod measure;
 pub mod output;
 #[cfg(feature = "gpu")]
 pub mod render;

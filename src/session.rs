@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use crate::render::{Gpu, GpuError, Renderer};
+use crate::render::{Format, Gpu, GpuError, Renderer};
 use crate::scene::{self, Input, LoadError, LoadErrorKind, PassKind, Scene, Source};
 use crate::source::{Diagnostic, Report, Span};
 use crate::translate::{self, Arithmetic, Program};
@@ -21,6 +21,8 @@ pub struct Session {
     pub warnings: Report,
     /// How it was translated, and is when it is reloaded.
     pub options: translate::Options,
+    /// The format of the targets that it is for.
+    pub format: Format,
     /// How long it took to get here.
     pub timing: Timing,
 }
@@ -89,6 +91,16 @@ impl Session {
         source: &Source,
         options: &translate::Options,
     ) -> Result<Self, OpenError> {
+        Session::open_for(gpu, source, options, Format::Bytes)
+    }
+
+    /// The same for targets of this format.
+    pub fn open_for(
+        gpu: &Gpu,
+        source: &Source,
+        options: &translate::Options,
+        format: Format,
+    ) -> Result<Self, OpenError> {
         let start = Instant::now();
         let scene = scene::load(source)?;
         let loaded = Instant::now();
@@ -104,7 +116,7 @@ impl Session {
         };
         let programs = translate::translate(&scene, &options).map_err(in_scene)?;
         let translated = Instant::now();
-        let renderer = Renderer::new(gpu, &scene, &programs)?;
+        let renderer = Renderer::new(gpu, &scene, &programs, format)?;
         let timing = Timing {
             load: loaded - start,
             translate: translated - loaded,
@@ -120,6 +132,7 @@ impl Session {
             renderer,
             warnings,
             options,
+            format,
             timing,
         })
     }
@@ -128,7 +141,7 @@ impl Session {
     /// new one. On failure nothing changes:
     /// what was drawn before can go on.
     pub fn reload(&mut self, gpu: &Gpu, source: &Source) -> Result<(), OpenError> {
-        *self = Session::open(gpu, source, &self.options)?;
+        *self = Session::open_for(gpu, source, &self.options, self.format)?;
         Ok(())
     }
 }

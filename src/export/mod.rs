@@ -16,7 +16,7 @@ use glam::UVec2;
 
 use crate::frame::{Clock, FrameInput};
 use crate::output::WriteError;
-use crate::render::{Gpu, GpuError, ReadBack, Renderer, Target, Watchdog};
+use crate::render::{Format, Gpu, GpuError, ReadBack, Renderer, Target, Watchdog};
 
 /// Frames under way at once: one being drawn, one being read back, one waiting in between.
 const RING: usize = 3;
@@ -160,8 +160,8 @@ pub fn export(
     progress: &mut dyn FnMut(u32) -> bool,
 ) -> Result<Summary, ExportError> {
     job.check_output()?;
-    let target = Target::new(gpu, job.size)?;
-    let ring = ReadBack::new(gpu, job.size, RING, job.timed)?;
+    let target = Target::new(gpu, job.size, Format::Bytes)?;
+    let ring = ReadBack::new(gpu, &target, RING, job.timed)?;
     let mut free = ring.slots;
     let mut under_way = VecDeque::with_capacity(RING);
     let mut encoders = Encoders::start(job.overwrite);

@@ -12,6 +12,29 @@ pub struct FrameImage {
     pub rgb: Vec<u8>,
 }
 
+/// A picture of floats as the shader gives them: red, green, blue and alpha, top row first.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FloatImage {
+    /// Width and height in pixels.
+    pub size: UVec2,
+    /// `width · height` pixels.
+    pub rgba: Vec<[f32; 4]>,
+}
+
+impl FloatImage {
+    /// The picture in bytes, as a target of 8 bits holds it: clamped to 0 to 1, times 255, rounded.
+    pub fn to_bytes(&self) -> FrameImage {
+        let byte = |value: f32| (value.clamp(0.0, 1.0) * 255.0).round_ties_even() as u8;
+        let pixels = self.rgba.iter();
+        FrameImage {
+            size: self.size,
+            rgb: pixels
+                .flat_map(|pixel| [0, 1, 2].map(|i| byte(pixel[i])))
+                .collect(),
+        }
+    }
+}
+
 impl FrameImage {
     /// Red, green and blue of the pixel in column `x` and row `y`, counted from the top left.
     ///

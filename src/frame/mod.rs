@@ -8,7 +8,7 @@ mod image;
 mod mouse;
 
 pub use clock::{Clock, Date, FixedClock};
-pub use image::FrameImage;
+pub use image::{FloatImage, FrameImage};
 pub use mouse::Mouse;
 
 use glam::{UVec2, Vec4};

@@ -20,7 +20,7 @@ pub use pass::PassLayout;
 #[cfg(feature = "window")]
 pub use present::{Presented, Presenter};
 pub use read_back::{ReadBack, Slot, Transferred};
-pub use target::Target;
+pub use target::{Format, Target};
 pub use watchdog::Watchdog;
 
 use crate::frame::FrameInput;
@@ -35,15 +35,20 @@ pub struct Renderer {
 
 impl Renderer {
     /// Builds everything that the programs use, and nothing else. `programs` are the translations of
-    /// `scene`'s passes, in their order.
+    /// `scene`'s passes, in their order. All targets must have this format.
     ///
     /// The driver compiles here; some drivers finish only during the first frame.
-    pub fn new(gpu: &Gpu, scene: &Scene, programs: &[Program]) -> Result<Self, GpuError> {
+    pub fn new(
+        gpu: &Gpu,
+        scene: &Scene,
+        programs: &[Program],
+        format: Format,
+    ) -> Result<Self, GpuError> {
         let passes = scene
             .passes
             .iter()
             .zip(programs)
-            .map(|(pass, program)| pass::GpuPass::new(gpu, pass, program))
+            .map(|(pass, program)| pass::GpuPass::new(gpu, pass, program, format))
             .collect::<Result<_, _>>()?;
         Ok(Renderer { passes })
     }

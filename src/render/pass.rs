@@ -2,7 +2,7 @@ use glam::Vec3;
 
 use super::channel;
 use super::gpu::{Gpu, GpuError};
-use super::target::Target;
+use super::target::{Format, Target};
 use crate::frame::{FrameInput, SAMPLE_RATE};
 use crate::scene::{CHANNELS, Pass};
 use crate::translate::bindings::{self, Uniform};
@@ -28,7 +28,12 @@ pub(super) struct GpuPass {
 }
 
 impl GpuPass {
-    pub fn new(gpu: &Gpu, pass: &Pass, program: &Program) -> Result<Self, GpuError> {
+    pub fn new(
+        gpu: &Gpu,
+        pass: &Pass,
+        program: &Program,
+        format: Format,
+    ) -> Result<Self, GpuError> {
         let device = gpu.device();
         if program.is_double() && !gpu.has_float64() {
             let adapter = gpu.describe();
@@ -92,7 +97,7 @@ impl GpuPass {
                 group_layout.as_ref(),
                 &fragment,
                 Program::ENTRY_POINT,
-                Target::FORMAT,
+                format.texture(),
             );
             (pipeline, bind_group)
         })?;

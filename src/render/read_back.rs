@@ -4,8 +4,8 @@ use std::sync::atomic::{AtomicU8, Ordering};
 use glam::UVec2;
 
 use super::gpu::{Gpu, GpuError, WAIT_SLICE};
-use super::target::Target;
-use crate::frame::FrameImage;
+use super::target::{Format, Target};
+use crate::frame::{FloatImage, FrameImage};
 
 /// Two timestamps of eight bytes.
 const TIMES_BYTES: u64 = 16;
@@ -21,17 +21,20 @@ pub struct ReadBack {
 }
 
 impl ReadBack {
-    /// A ring of `count` slots for pictures of `size` pixels; with `timed` each also brings back how
+    /// A ring of `count` slots for pictures like those of `target`; with `timed` each also brings back how
     /// long the GPU drew, where the device can tell.
-    pub fn new(gpu: &Gpu, size: UVec2, count: usize, timed: bool) -> Result<Self, GpuError> {
+    pub fn new(gpu: &Gpu, target: &Target, count: usize, timed: bool) -> Result<Self, GpuError> {
+        let (size, format) = (target.size(), target.format());
         let timed = timed && gpu.has_timestamps();
         let doing = "making the read-back buffers";
-        let bytes = u64::from(stride(size)) * u64::from(size.y) + TIMES_BYTES;
+        let bytes = u64::from(stride(size, format)) * u64::from(size.y) + TIMES_BYTES;
         if bytes > gpu.device().limits().max_buffer_size {
             return Err(GpuError::OutOfMemory { doing });
         }
         gpu.guarded(doing, || ReadBack {
-            slots: (0..count).map(|_| Slot::new(gpu, size, timed)).collect(),
+            slots: (0..count)
+                .map(|_| Slot::new(gpu, size, format, timed))
+                .collect(),
         })
     }
 }
@@ -40,6 +43,7 @@ impl ReadBack {
 #[derive(Debug)]
 pub struct Slot {
     size: UVec2,
+    format: Format,
     /// Bytes from one row to the next in `buffer`, padded as copies demand.
     stride: u32,
     buffer: wgpu::Buffer,
@@ -49,8 +53,8 @@ pub struct Slot {
 }
 
 /// Bytes from one row of a picture to the next in a buffer.
-fn stride(size: UVec2) -> u32 {
-    (4 * size.x).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT)
+fn stride(size: UVec2, format: Format) -> u32 {
+    (format.stride() * size.x).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT)
 }
 
 const PENDING: u8 = 0;
@@ -65,11 +69,12 @@ pub struct Transferred {
 }
 
 impl Slot {
-    fn new(gpu: &Gpu, size: UVec2, timed: bool) -> Self {
-        let stride = stride(size);
+    fn new(gpu: &Gpu, size: UVec2, format: Format, timed: bool) -> Self {
+        let stride = stride(size, format);
         let picture = u64::from(stride) * u64::from(size.y);
         Slot {
             size,
+            format,
             stride,
             buffer: gpu.device().create_buffer(&wgpu::BufferDescriptor {
                 label: Some("read-back"),
@@ -146,28 +151,49 @@ impl Slot {
         }
     }
 
-    /// Copies a picture that is ready into `image`, top row first and without alpha, and frees the
-    /// slot. `image`'s memory is reused.
+    /// Copies a picture of bytes that is ready into `image`, top row first and without alpha, and
+    /// frees the slot. `image`'s memory is reused.
     pub fn take(&mut self, gpu: &Gpu, image: &mut FrameImage) -> Result<Transferred, GpuError> {
+        debug_assert_eq!(self.format, Format::Bytes);
+        image.size = self.size;
+        image.rgb.clear();
+        self.take_rows(gpu, |row| {
+            let pixels = row.chunks_exact(4);
+            image.rgb.extend(pixels.flat_map(|pixel| &pixel[..3]));
+        })
+    }
+
+    /// The same for a picture of floats, whose alpha is kept.
+    pub fn take_floats(
+        &mut self,
+        gpu: &Gpu,
+        image: &mut FloatImage,
+    ) -> Result<Transferred, GpuError> {
+        debug_assert_eq!(self.format, Format::Floats);
+        image.size = self.size;
+        image.rgba.clear();
+        self.take_rows(gpu, |row| {
+            let pixels = row.chunks_exact(16);
+            let pixels = pixels.map(bytemuck::pod_read_unaligned::<[f32; 4]>);
+            image.rgba.extend(pixels);
+        })
+    }
+
+    /// Hands out the rows, the top one first, and frees the slot.
+    fn take_rows(
+        &mut self,
+        gpu: &Gpu,
+        mut each: impl FnMut(&[u8]),
+    ) -> Result<Transferred, GpuError> {
         let gpu_seconds;
         {
             let mapped = self
                 .buffer
                 .get_mapped_range(..)
                 .map_err(|error| GpuError::Lost(error.to_string()))?;
-            let row = 4 * self.size.x as usize;
-            image.size = self.size;
-            image
-                .rgb
-                .resize(3 * (self.size.x * self.size.y) as usize, 0);
-            let rows = mapped
-                .chunks(self.stride as usize)
-                .take(self.size.y as usize);
-            let out = image.rgb.chunks_exact_mut(3 * self.size.x as usize);
-            for (from, to) in rows.zip(out.rev()) {
-                for (from, to) in from[..row].chunks_exact(4).zip(to.chunks_exact_mut(3)) {
-                    to.copy_from_slice(&from[..3]);
-                }
+            let row = (self.format.stride() * self.size.x) as usize;
+            for y in (0..self.size.y as usize).rev() {
+                each(&mapped[y * self.stride as usize..][..row]);
             }
             gpu_seconds = self.stopwatch.as_ref().map(|_| {
                 let end = mapped.len();

@@ -2,20 +2,45 @@ use glam::UVec2;
 
 use super::gpu::{Gpu, GpuError};
 
-/// The texture that the Image pass draws into: 8 bits a channel, no sRGB, row 0 at the bottom.
+/// What a target holds of each channel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// 8 bits without sRGB, as a window shows it.
+    #[default]
+    Bytes,
+    /// 32-bit floats as the shader gives them, for those who measure.
+    Floats,
+}
+
+impl Format {
+    pub(super) fn texture(self) -> wgpu::TextureFormat {
+        match self {
+            Format::Bytes => wgpu::TextureFormat::Rgba8Unorm,
+            Format::Floats => wgpu::TextureFormat::Rgba32Float,
+        }
+    }
+
+    /// Bytes of a pixel.
+    pub(super) fn stride(self) -> u32 {
+        match self {
+            Format::Bytes => 4,
+            Format::Floats => 16,
+        }
+    }
+}
+
+/// The texture that the Image pass draws into, row 0 at the bottom.
 #[derive(Debug)]
 pub struct Target {
     size: UVec2,
+    format: Format,
     texture: wgpu::Texture,
     view: wgpu::TextureView,
 }
 
 impl Target {
-    /// The format of every target.
-    pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-
     /// A target of `size` pixels, each side from 1 to the device's limit.
-    pub fn new(gpu: &Gpu, size: UVec2) -> Result<Self, GpuError> {
+    pub fn new(gpu: &Gpu, size: UVec2, format: Format) -> Result<Self, GpuError> {
         let limit = gpu.max_size();
         if size.min_element() == 0 || size.max_element() > limit {
             return Err(GpuError::Size { size, limit });
@@ -31,7 +56,7 @@ impl Target {
                 mip_level_count: 1,
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,
-                format: Self::FORMAT,
+                format: format.texture(),
                 usage: wgpu::TextureUsages::RENDER_ATTACHMENT
                     | wgpu::TextureUsages::COPY_SRC
                     | wgpu::TextureUsages::TEXTURE_BINDING,
@@ -41,6 +66,7 @@ impl Target {
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
         Ok(Target {
             size,
+            format,
             texture,
             view,
         })
@@ -49,6 +75,11 @@ impl Target {
     /// Width and height in pixels.
     pub fn size(&self) -> UVec2 {
         self.size
+    }
+
+    /// What it holds.
+    pub fn format(&self) -> Format {
+        self.format
     }
 
     pub(super) fn texture(&self) -> &wgpu::Texture {

@@ -11,6 +11,7 @@ use std::collections::{BTreeSet, HashSet};
 pub mod bindings;
 mod guard;
 mod preamble;
+mod probe;
 mod program;
 mod refusal;
 mod write;
@@ -18,6 +19,7 @@ mod write;
 pub use crate::glsl::Arithmetic;
 #[cfg(feature = "gpu")]
 pub(crate) use guard::caught;
+pub use probe::{Output, Probe};
 pub use program::{ChannelUse, Functions, Guards, Program, Tables, UniformBlock};
 pub use write::{Language, write};
 
@@ -42,6 +44,8 @@ pub struct Options {
     pub precision: Precision,
     /// How arithmetic is written.
     pub arithmetic: Arithmetic,
+    /// What the program gives for a pixel.
+    pub output: Output,
 }
 
 /// Translates every pass of a scene, in the scene's order.
@@ -208,6 +212,7 @@ impl Text<'_> {
         options: &Options,
     ) -> Result<Program, Vec<Diagnostic>> {
         finite::mark_finite_loops(&mut hir);
+        let output = self.output(&mut hir, &options.output)?;
         let double_functions = double::Functions::new(&hir);
         let reachable = Reachable::new(&hir, &double_functions);
         let lowered = lower(
@@ -216,6 +221,7 @@ impl Text<'_> {
             &lower::Options {
                 precision: options.precision,
                 arithmetic: options.arithmetic,
+                output,
                 interface: &bindings::INTERFACE,
                 double_functions: &double_functions,
             },
@@ -238,6 +244,10 @@ impl Text<'_> {
             accesses: in_own_files(&lowered.unguarded.accesses),
             divisions: in_own_files(&lowered.unguarded.divisions),
         };
+        let loops = lowered.loops.iter().map(|&extent| places.span(extent));
+        let loops = loops
+            .map(|span| span.filter(|span| self.is_authors(span)))
+            .collect();
         drop(hir);
         let internal = |message: &str| vec![refusal::internal(message).at(self.end())];
         let program = Program::new(
@@ -246,6 +256,7 @@ impl Text<'_> {
             lowered,
             functions,
             guards,
+            loops,
         )
         .map_err(|message| internal(&message))?;
         // What validates can be written: this is for whoever changes that by mistake.
@@ -253,6 +264,28 @@ impl Text<'_> {
             write::spirv(&program).map_err(|message| internal(&message))?;
         }
         Ok(program)
+    }
+
+    /// What is given for a pixel, looked up by name.
+    fn output(
+        &self,
+        hir: &mut hir::Hir,
+        output: &Output,
+    ) -> Result<lower::Output, Vec<Diagnostic>> {
+        Ok(match output {
+            Output::Colour => lower::Output::Colour,
+            Output::Rounds(first) => lower::Output::Rounds(*first),
+            Output::AllRounds => lower::Output::AllRounds,
+            Output::Probe(probe) => {
+                let (entry, _) = preamble::entry_point(self.pass.kind);
+                let watched = probe::find(hir, probe, entry)
+                    .map_err(|problem| vec![problem.at(self.end())])?;
+                if let lower::Watched::Local(function, local) = watched {
+                    hir.functions[function].locals[local].written = true;
+                }
+                lower::Output::Value(watched)
+            }
+        })
     }
 
     /// The author's functions, used and unused.

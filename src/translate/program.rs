@@ -32,6 +32,9 @@ pub struct Program {
     pub functions: Functions,
     /// What is checked while the pass runs, because it is not known to be harmless.
     pub guards: Guards,
+    /// Every loop of the functions that are used, by its number; `None` where it is none of the
+    /// author's.
+    pub loops: Vec<Option<Span>>,
     /// Macros that the user overrides, and that the pass never mentions.
     pub unused_overrides: Vec<String>,
     /// What the author should know although the pass runs.
@@ -101,6 +104,7 @@ impl Program {
         lowered: Lowered,
         functions: Functions,
         guards: Guards,
+        loops: Vec<Option<Span>>,
     ) -> Result<Self, String> {
         let mut module = lowered.module;
         naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
@@ -113,6 +117,7 @@ impl Program {
             tables: lowered.tables,
             functions,
             guards,
+            loops,
             unused_overrides: Vec::new(),
             warnings: Vec::new(),
             module,

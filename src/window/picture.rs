@@ -24,7 +24,7 @@ pub(super) fn save(gpu: &Gpu, target: &Target, name: &str, time: f32) -> Result<
 }
 
 fn read(gpu: &Gpu, target: &Target) -> Result<FrameImage, GpuError> {
-    let mut read_back = ReadBack::new(gpu, target.size(), 1, false)?;
+    let mut read_back = ReadBack::new(gpu, target, 1, false)?;
     let slot = &mut read_back.slots[0];
     slot.copy_of(gpu, target);
     while !slot.is_ready(gpu)? {}

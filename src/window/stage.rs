@@ -10,7 +10,7 @@ use winit::window::{Fullscreen, Window};
 use super::title::Title;
 use super::{Options, PlayError, Reload, Wake, input};
 use crate::frame::{Clock, FrameInput};
-use crate::render::{Gpu, Presented, Presenter, Target};
+use crate::render::{Format, Gpu, Presented, Presenter, Target};
 use crate::session::Session;
 
 /// Frames handed to a GPU before waiting for the oldest.
@@ -68,7 +68,11 @@ impl Stage {
             Arc::clone(&window),
             size_of(&window),
         )?;
-        let target = Target::new(&gpu, picture_size(&gpu, &window, options.scale))?;
+        let target = Target::new(
+            &gpu,
+            picture_size(&gpu, &window, options.scale),
+            Format::Bytes,
+        )?;
         let session =
             Session::open(&gpu, &options.source, &options.translate).map_err(PlayError::Open)?;
         Ok(Stage {
@@ -213,7 +217,7 @@ impl Stage {
         self.presenter.resize(&self.gpu, size);
         let picture = picture_size(&self.gpu, &self.window, self.options.scale);
         if picture != self.target.size() {
-            self.target = Target::new(&self.gpu, picture)?;
+            self.target = Target::new(&self.gpu, picture, Format::Bytes)?;
             // The new one holds nothing yet.
             self.unpresented = false;
         }

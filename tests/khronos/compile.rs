@@ -60,6 +60,7 @@ pub fn compile(text: &str, uniforms: Vec<String>) -> Result<Lowered, Refusal> {
         precision,
         // As it is when it is drawn.
         arithmetic: Arithmetic::Expanded,
+        output: lower::Output::Colour,
         interface: &Interface {
             group: GROUP,
             block: BLOCK,

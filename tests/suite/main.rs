@@ -47,6 +47,8 @@ mod leave_out;
 #[cfg(feature = "gpu")]
 mod orientation;
 #[cfg(feature = "gpu")]
+mod outputs;
+#[cfg(feature = "gpu")]
 mod reload;
 #[cfg(feature = "gpu")]
 mod scenes;

@@ -6,6 +6,7 @@ use smallvec::{SmallVec, smallvec};
 
 use super::constant::Part;
 use super::function::Room;
+use super::output::{self, Record};
 use super::table::TableBuilder;
 use super::types::is_opaque;
 use super::{Excess, Lowered, Options, Unguarded, UniformBlock};
@@ -37,6 +38,10 @@ pub(super) struct Context<'a> {
     pub tables: TableBuilder,
     pub uniforms: Option<UniformBlock>,
     pub unguarded: Unguarded,
+    /// Every loop, in the order of the text.
+    pub loops: Vec<Extent>,
+    /// What is given for a pixel instead of its colour.
+    pub record: Record,
     /// What the next function's builder begins with.
     pub room: Room,
     /// How many expressions there are in all functions.
@@ -82,6 +87,8 @@ impl<'a> Context<'a> {
             tables: TableBuilder::default(),
             uniforms: None,
             unguarded: Unguarded::default(),
+            loops: output::loops(hir, reachable),
+            record: Record::default(),
             room: Room::default(),
             operations: 0,
             excess: None,
@@ -90,6 +97,7 @@ impl<'a> Context<'a> {
             context.analyse(id, expressions);
         }
         context.add_uniforms();
+        context.add_record();
         for &id in &reachable.globals {
             context.add_global(id);
         }
@@ -252,6 +260,7 @@ impl<'a> Context<'a> {
             uniforms: self.uniforms,
             tables,
             unguarded: self.unguarded,
+            loops: self.loops,
             excess: self.excess,
         }
     }

@@ -94,20 +94,22 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// The colour of the pixel.
+    /// The colour of the pixel, or what is asked for in its place.
     pub fn output(&mut self) -> H {
         let hir = self.context.hir;
         let color = Type::vector(Scalar::Float, 4);
-        let output = self.context.reachable.globals.iter().find_map(|id| {
-            let global = &hir.globals[*id];
-            match (global.kind, self.context.globals.get(id)) {
-                (GlobalKind::Output(0), Some(&Binding::Variable(variable))) => {
-                    Some((variable, global.ty))
+        let output = || {
+            self.context.reachable.globals.iter().find_map(|id| {
+                let global = &hir.globals[*id];
+                match (global.kind, self.context.globals.get(id)) {
+                    (GlobalKind::Output(0), Some(&Binding::Variable(variable))) => {
+                        Some((variable, global.ty))
+                    }
+                    _ => None,
                 }
-                _ => None,
-            }
-        });
-        let Some((variable, ty)) = output else {
+            })
+        };
+        let Some((variable, ty)) = self.recorded().or_else(output) else {
             let zero = self.zero(color);
             return self.narrow(zero);
         };

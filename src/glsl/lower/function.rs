@@ -255,6 +255,7 @@ impl<'c, 'a> Builder<'c, 'a> {
     }
 
     pub fn leave(&mut self, value: Option<H>) {
+        self.record_value(value);
         let value = if self.entry.is_some() {
             Some(self.output())
         } else {

@@ -19,6 +19,7 @@ mod function;
 mod interface;
 mod matrix;
 mod operator;
+mod output;
 mod place;
 mod range;
 mod statement;
@@ -37,6 +38,7 @@ use super::prune::Reachable;
 use super::{Arithmetic, Precision};
 
 pub use interface::{HostSampler, Interface, Tables, UniformBlock, UniformMember};
+pub use output::{Output, Watched, can_be_watched};
 
 /// How to lower a program.
 #[derive(Clone, Debug)]
@@ -45,6 +47,8 @@ pub struct Options<'a> {
     pub precision: Precision,
     /// How arithmetic is written.
     pub arithmetic: Arithmetic,
+    /// What the program gives for a pixel.
+    pub output: Output,
     /// What the host binds.
     pub interface: &'a Interface,
     /// In double precision, the functions to compute built-in functions with that graphics drivers
@@ -64,6 +68,8 @@ pub struct Lowered {
     pub tables: Option<Tables>,
     /// What is not known to be harmless without run-time checks.
     pub unguarded: Unguarded,
+    /// Every loop of the functions that are needed, in the order of the text.
+    pub loops: Vec<Extent>,
     /// Why the module is good for nothing, if it is.
     pub excess: Option<Excess>,
 }

@@ -75,7 +75,7 @@ impl<'a> Builder<'_, 'a> {
                 if !body.is_finite {
                     self.context.unguarded.loops.push(stmt.extent);
                 }
-                self.repeat(body, before);
+                self.repeat(body, stmt.extent, before);
             }
             StmtKind::Switch(switch) => return self.switch(switch),
             StmtKind::Break => {
@@ -157,7 +157,7 @@ impl<'a> Builder<'_, 'a> {
         Content::of(ty, &self.context.hir.structs).has_array
     }
 
-    fn repeat(&mut self, source: &'a Loop, before: &'a [Stmt]) {
+    fn repeat(&mut self, source: &'a Loop, extent: Extent, before: &'a [Stmt]) {
         let counter = self.counter(source, before);
         let span = self.span;
         self.loops.push(source);
@@ -167,6 +167,7 @@ impl<'a> Builder<'_, 'a> {
         {
             self.branch(condition, |_| {}, |b| b.push(Statement::Break));
         }
+        self.record_round(extent);
         let outside = counter.map(|(local, range)| (local, self.ranges.set(local, Some(range))));
         if !self.scope(&source.body) {
             self.finish_round(source);

@@ -10,7 +10,7 @@ use std::num::NonZeroU32;
 use naga::back;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-use super::{HostSampler, Interface, Lowered, Options, lower, verify};
+use super::{HostSampler, Interface, Lowered, Options, Output, lower, verify};
 use crate::glsl::hir::Hir;
 use crate::glsl::prune::Reachable;
 use crate::glsl::types::{Base, Scalar, Type};
@@ -71,6 +71,7 @@ fn lowered_with(hir: &Hir, precision: Precision, arithmetic: Arithmetic) -> (Low
     let options = Options {
         precision,
         arithmetic,
+        output: Output::Colour,
         interface: &interface,
         double_functions: &double_functions,
     };

@@ -1,0 +1,173 @@
+//! What a program gives for a pixel: its colour, or something that is known only within it.
+
+use naga::{AddressSpace, Expression, Handle, Span};
+use rustc_hash::FxHashMap;
+
+use super::context::Context;
+use super::function::{Builder, H};
+use crate::glsl::arena::Id;
+use crate::glsl::hir::{self, Extent, Hir, Stmt, StmtKind};
+use crate::glsl::prune::Reachable;
+use crate::glsl::types::{Base, Scalar, Type};
+
+/// What the entry point gives.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Output {
+    /// The colour.
+    #[default]
+    Colour,
+    /// A value from within. Components that it lacks are 0, the fourth is 1.
+    Value(Watched),
+    /// How many rounds loops made: that with this number in [`Lowered::loops`](super::Lowered::loops),
+    /// and the three behind it.
+    Rounds(u32),
+    /// How many rounds all loops made together, in every component.
+    AllRounds,
+}
+
+/// A value within a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Watched {
+    /// A number or vector: what this variable holds when its function is left, the last time that it is.
+    /// The variable must be marked as [`hir::Local::written`].
+    Local(Id<hir::Function>, Id<hir::Local>),
+    /// What this function returned, the last time that it did: a number or a vector.
+    Result(Id<hir::Function>),
+}
+
+impl Watched {
+    fn ty(self, hir: &Hir) -> Type {
+        match self {
+            Watched::Local(function, local) => hir.functions[function].locals[local].ty,
+            Watched::Result(function) => hir.functions[function].result,
+        }
+    }
+}
+
+/// Whether a value can be given for a pixel.
+pub fn can_be_watched(ty: Type) -> bool {
+    !ty.is_array() && matches!(ty.base, Base::Scalar(_) | Base::Vector(..))
+}
+
+/// What keeps the value, and what is there to be counted.
+#[derive(Debug, Default)]
+pub(super) struct Record {
+    variable: Option<(Handle<naga::GlobalVariable>, Type)>,
+    /// The component that counts each loop.
+    components: FxHashMap<(u32, u32), u32>,
+}
+
+/// The loops of the functions that are needed, in the order of the text.
+pub(super) fn loops(hir: &Hir, reachable: &Reachable) -> Vec<Extent> {
+    let mut found = Vec::new();
+    let functions = reachable.functions.iter().chain(&hir.initialisers);
+    for &id in functions {
+        let mut open: Vec<&Stmt> = hir.functions[id].body.iter().collect();
+        while let Some(stmt) = open.pop() {
+            match &stmt.kind {
+                StmtKind::Block(body) => open.extend(body),
+                StmtKind::If(_, accept, reject) => open.extend(accept.iter().chain(reject)),
+                StmtKind::Switch(switch) => {
+                    open.extend(switch.arms.iter().flat_map(|arm| &arm.body));
+                }
+                StmtKind::Loop(inner) => {
+                    found.push(stmt.extent);
+                    open.extend(&inner.body);
+                }
+                _ => {}
+            }
+        }
+    }
+    found.sort_by_key(|extent| (extent.first, extent.last));
+    found.dedup();
+    found
+}
+
+impl Context<'_> {
+    /// Makes room for what [`Output`] asks for.
+    pub fn add_record(&mut self) {
+        let ty = match self.options.output {
+            Output::Colour => return,
+            Output::Value(watched) => watched.ty(self.hir),
+            Output::Rounds(_) | Output::AllRounds => Type::vector(Scalar::Uint, 4),
+        };
+        if let Output::Rounds(first) = self.options.output {
+            let counted = self.loops.iter().skip(first as usize).take(4);
+            let keys = counted.map(|extent| (extent.first, extent.last));
+            self.record.components = keys.zip(0..).collect();
+        }
+        let variable = naga::GlobalVariable {
+            name: Some("record".to_owned()),
+            space: AddressSpace::Private,
+            binding: None,
+            ty: self.ty(ty),
+            init: None,
+            memory_decorations: naga::MemoryDecorations::empty(),
+        };
+        let variable = self
+            .module
+            .global_variables
+            .append(variable, Span::UNDEFINED);
+        self.record.variable = Some((variable, ty));
+    }
+}
+
+impl Builder<'_, '_> {
+    /// What the entry point gives instead of the colour, if anything.
+    pub fn recorded(&self) -> Option<(Handle<naga::GlobalVariable>, Type)> {
+        self.context.record.variable
+    }
+
+    /// Keeps a value if the function is the one that is watched; `result` is what it returns.
+    pub fn record_value(&mut self, result: Option<H>) {
+        let (Output::Value(watched), Some((variable, _))) =
+            (self.context.options.output, self.recorded())
+        else {
+            return;
+        };
+        let value = match watched {
+            Watched::Local(function, local) if function == self.id => {
+                let pointer = self.local_pointer(local);
+                self.load(pointer)
+            }
+            Watched::Result(function) if function == self.id => match result {
+                Some(value) => value,
+                None => return,
+            },
+            _ => return,
+        };
+        let pointer = self.global(variable);
+        self.store(pointer, value);
+    }
+
+    /// Counts a round of a loop, if it is one that is counted.
+    pub fn record_round(&mut self, extent: Extent) {
+        let Some((variable, _)) = self.recorded() else {
+            return;
+        };
+        let pointer = match self.context.options.output {
+            Output::AllRounds => self.global(variable),
+            Output::Rounds(_) => {
+                let key = (extent.first, extent.last);
+                let Some(&component) = self.context.record.components.get(&key) else {
+                    return;
+                };
+                let whole = self.global(variable);
+                self.part(whole, component)
+            }
+            Output::Colour | Output::Value(_) => return,
+        };
+        let mut one = self.uint(1);
+        if self.context.options.output == Output::AllRounds {
+            one = self.splat(one, 4);
+        }
+        let before = self.load(pointer);
+        let op = naga::BinaryOperator::Add;
+        let after = self.add(Expression::Binary {
+            op,
+            left: before,
+            right: one,
+        });
+        self.store(pointer, after);
+    }
+}

@@ -1,0 +1,80 @@
+//! One way to draw a scene, in floats.
+
+use glam::UVec2;
+
+use crate::frame::{FloatImage, FrameInput};
+use crate::render::{Format, Gpu, GpuError, ReadBack, Slot, Target};
+use crate::scene::Source;
+use crate::session::{OpenError, Session};
+use crate::translate;
+
+/// A scene that is drawn into floats, with its target.
+#[derive(Debug)]
+pub struct Subject {
+    /// The scene.
+    pub session: Session,
+    target: Target,
+    slot: Slot,
+}
+
+/// A picture, and how long it took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// What the shader gave.
+    pub image: FloatImage,
+    /// How long the device drew, if it can tell.
+    pub seconds: Option<f64>,
+}
+
+/// Why nothing could be measured.
+#[derive(Debug, thiserror::Error)]
+pub enum MeasureError {
+    /// The scene cannot be opened.
+    #[error("the scene cannot be opened")]
+    Open(OpenError),
+    /// The driver failed.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+}
+
+impl From<OpenError> for MeasureError {
+    fn from(error: OpenError) -> Self {
+        MeasureError::Open(error)
+    }
+}
+
+impl Subject {
+    /// Opens a scene for pictures of one size.
+    pub fn open(
+        gpu: &Gpu,
+        source: &Source,
+        options: &translate::Options,
+        size: UVec2,
+    ) -> Result<Self, MeasureError> {
+        let session = Session::open_for(gpu, source, options, Format::Floats)?;
+        let target = Target::new(gpu, size, Format::Floats)?;
+        let mut ring = ReadBack::new(gpu, &target, 1, true)?;
+        let slot = ring.slots.pop().expect("one slot was asked for");
+        Ok(Subject {
+            session,
+            target,
+            slot,
+        })
+    }
+
+    /// Draws one frame and waits for it. `waiting` is called now and then; it may end the program.
+    pub fn draw(
+        &mut self,
+        gpu: &Gpu,
+        input: &FrameInput,
+        waiting: &mut dyn FnMut(),
+    ) -> Result<Drawn, GpuError> {
+        (self.session.renderer).render(gpu, input, &self.target, Some(&mut self.slot));
+        while !self.slot.is_ready(gpu)? {
+            waiting();
+        }
+        let mut image = FloatImage::default();
+        let seconds = self.slot.take_floats(gpu, &mut image)?.gpu_seconds;
+        Ok(Drawn { image, seconds })
+    }
+}
