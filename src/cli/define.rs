@@ -21,6 +21,20 @@ pub(super) fn define(text: &str) -> Result<(String, String), String> {
     Ok((name.to_owned(), value.to_owned()))
 }
 
+/// Reads `NAME=A,B,C`.
+#[cfg(feature = "gpu")]
+pub(super) fn vary(text: &str) -> Result<(String, Vec<String>), String> {
+    let (name, values) = define(text)?;
+    let values: Vec<String> = values
+        .split(',')
+        .map(|value| value.trim().to_owned())
+        .collect();
+    match values.iter().any(String::is_empty) {
+        true => Err("write it as NAME=A,B,C, as in STEPS=16,32,64".to_owned()),
+        false => Ok((name, values)),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::define;

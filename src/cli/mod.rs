@@ -14,6 +14,9 @@ use value::scale;
 #[cfg(feature = "gpu")]
 use value::{FrameRange, Size, not_negative, positive, time};
 
+#[cfg(feature = "gpu")]
+use define::vary;
+
 /// Run ShaderToy GLSL: unchanged, live and frame by frame.
 #[derive(Debug, Parser)]
 #[command(version, about, max_term_width = 100, arg_required_else_help = true)]
@@ -30,6 +33,9 @@ pub enum Command {
     /// Write frames as PNG files
     #[cfg(feature = "gpu")]
     Export(ExportArgs),
+    /// Hold variants of a scene against a reference: error against run time
+    #[cfg(feature = "gpu")]
+    Measure(MeasureArgs),
     /// Say what is wrong with scenes, without a GPU
     Check(CheckArgs),
     /// Write a scene's shader in another language
@@ -100,6 +106,39 @@ pub struct ExportArgs {
     pub stats: Option<PathBuf>,
     #[command(flatten)]
     pub define: DefineArgs,
+    #[command(flatten)]
+    pub gpu: GpuArgs,
+}
+
+#[cfg(feature = "gpu")]
+#[derive(Debug, Args)]
+pub struct MeasureArgs {
+    /// A study in TOML, or with `--vary` a scene
+    pub study: PathBuf,
+    /// The folder for report, tables and plots [default: the study's name and `-report`]
+    #[arg(long, short, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Give a macro these values in turn; of several macros every combination
+    #[arg(long, value_name = "NAME=A,B,…", value_parser = vary, requires = "reference")]
+    pub vary: Vec<(String, Vec<String>)>,
+    /// The macros of the reference, which is computed in 64 bits
+    #[arg(long, value_name = "NAME=VALUE,…", value_parser = define::define, value_delimiter = ',', requires = "vary")]
+    pub reference: Vec<(String, String)>,
+    /// Compare this value too: a variable of the entry point, `FUNCTION.NAME` or `FUNCTION()`
+    #[arg(long, value_name = "NAME", requires = "vary")]
+    pub probe: Option<String>,
+    /// The moments, `iTime` in seconds
+    #[arg(long, value_name = "T", value_parser = time, value_delimiter = ',', requires = "vary")]
+    pub times: Vec<f64>,
+    /// Size of the pictures in pixels
+    #[arg(long, value_name = "WxH", requires = "vary")]
+    pub size: Option<Size>,
+    /// How often each variant is timed [default: 5, or as the study says]
+    #[arg(long, value_name = "N", value_parser = RangedU64ValueParser::<u32>::new().range(1..=1000))]
+    pub repeats: Option<u32>,
+    /// Do not go on from what an earlier run left in the folder
+    #[arg(long)]
+    pub fresh: bool,
     #[command(flatten)]
     pub gpu: GpuArgs,
 }

@@ -1,4 +1,3 @@
-use std::io::IsTerminal as _;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -6,7 +5,6 @@ use std::time::{Duration, Instant};
 
 use anyhow::Context as _;
 use glam::UVec2;
-use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use vitrine::export::{self, ExportError, Frames, Job, OutPattern, Summary};
 use vitrine::output;
@@ -15,11 +13,9 @@ use vitrine::report;
 use vitrine::session::Session;
 
 use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
+use super::progress::Progress;
 use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
 use crate::cli::ExportArgs;
-
-/// How often progress is told where there is no terminal.
-const PLAIN_LINE_EVERY: Duration = Duration::from_secs(5);
 
 pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     let job = job(&args)?;
@@ -43,7 +39,7 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     let opened = started.elapsed();
 
     let interrupted = interruption()?;
-    let mut progress = Progress::new(job.frames.count());
+    let mut progress = Progress::new(job.frames.count(), "frames");
     let result = export::export(&gpu, &session.renderer, &job, &watchdog, &mut |written| {
         progress.at(written);
         !interrupted.load(Ordering::Relaxed)
@@ -113,57 +109,6 @@ fn interruption() -> anyhow::Result<Arc<AtomicBool>> {
     })
     .context("cannot listen for Ctrl+C")?;
     Ok(flag)
-}
-
-/// A bar on a terminal, a line now and then elsewhere.
-enum Progress {
-    Bar(ProgressBar),
-    Lines {
-        total: u32,
-        started: Instant,
-        last: Instant,
-    },
-}
-
-impl Progress {
-    fn new(total: u32) -> Self {
-        if std::io::stderr().is_terminal() {
-            let bar = ProgressBar::new(u64::from(total));
-            let template = "{wide_bar} {pos}/{len} frames, {per_sec}, {eta} left";
-            bar.set_style(ProgressStyle::with_template(template).expect("a valid template"));
-            return Progress::Bar(bar);
-        }
-        Progress::Lines {
-            total,
-            started: Instant::now(),
-            last: Instant::now(),
-        }
-    }
-
-    fn at(&mut self, written: u32) {
-        match self {
-            Progress::Bar(bar) => bar.set_position(u64::from(written)),
-            Progress::Lines {
-                total,
-                started,
-                last,
-            } => {
-                if last.elapsed() >= PLAIN_LINE_EVERY {
-                    *last = Instant::now();
-                    let seconds = started.elapsed().as_secs();
-                    report::tell(format_args!(
-                        "{written} of {total} frames after {seconds} s"
-                    ));
-                }
-            }
-        }
-    }
-
-    fn end(&self) {
-        if let Progress::Bar(bar) = self {
-            bar.finish_and_clear();
-        }
-    }
 }
 
 fn report_end(job: &Job, summary: &Summary, wall: Duration) {

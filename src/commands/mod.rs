@@ -7,7 +7,11 @@ mod doctor;
 mod export;
 mod inspect;
 #[cfg(feature = "gpu")]
+mod measure;
+#[cfg(feature = "gpu")]
 mod opening;
+#[cfg(feature = "gpu")]
+mod progress;
 #[cfg(feature = "window")]
 mod run;
 mod translate;
@@ -43,6 +47,8 @@ pub fn run(command: Command, started: Instant) -> anyhow::Result<ExitCode> {
         Command::Run(args) => run::run(args),
         #[cfg(feature = "gpu")]
         Command::Export(args) => export::export(args, started),
+        #[cfg(feature = "gpu")]
+        Command::Measure(args) => measure::measure(args),
         Command::Check(args) => check::check(args),
         Command::Translate(args) => translate::translate(args),
         Command::Inspect(args) => inspect::inspect(args),

@@ -93,15 +93,17 @@ pub fn quantile(sorted: &[f64], share: f64) -> f64 {
     sorted.get(rank.saturating_sub(1)).copied().unwrap_or(0.0)
 }
 
+/// A component as a display shows it.
+fn shown(x: f32) -> f64 {
+    if x.is_nan() {
+        0.0
+    } else {
+        f64::from(x.clamp(0.0, 1.0))
+    }
+}
+
 /// Compares pictures. A component that is no number counts as black, as most displays show it.
 pub fn picture(value: &FloatImage, reference: &FloatImage) -> PictureError {
-    let shown = |x: f32| {
-        if x.is_nan() {
-            0.0
-        } else {
-            f64::from(x.clamp(0.0, 1.0))
-        }
-    };
     let (mut squares, mut above_1, mut above_8) = (0.0, 0_usize, 0_usize);
     for (value, reference) in value.rgba.iter().zip(&reference.rgba) {
         let differences = [0, 1, 2].map(|i| (shown(value[i]) - shown(reference[i])).abs());
@@ -117,6 +119,19 @@ pub fn picture(value: &FloatImage, reference: &FloatImage) -> PictureError {
         psnr: -20.0 * rmse.log10(),
         above_1: above_1 as f64 / pixels,
         above_8: above_8 as f64 / pixels,
+    }
+}
+
+/// How far each channel of a picture is off, black where it is right.
+pub fn difference(value: &FloatImage, reference: &FloatImage) -> FloatImage {
+    let pairs = value.rgba.iter().zip(&reference.rgba);
+    let pixel = |(a, b): (&[f32; 4], &[f32; 4])| {
+        let [r, g, b] = [0, 1, 2].map(|i| (shown(a[i]) - shown(b[i])).abs() as f32);
+        [r, g, b, 1.0]
+    };
+    FloatImage {
+        size: value.size,
+        rgba: pairs.map(pixel).collect(),
     }
 }
 

@@ -4,6 +4,11 @@
 //! a value from within.
 
 pub mod compare;
+pub mod plot;
+pub mod report;
+pub mod run;
+pub mod study;
 mod subject;
+pub mod summary;
 
 pub use subject::{Drawn, MeasureError, Subject};

@@ -18,7 +18,7 @@ const RULES: &[(&str, &str, &str)] = &[
     ("translate", "glsl scene source", "naga"),
     ("render", "frame scene translate", "bytemuck glam pollster thiserror wgpu"),
     ("session", "frame render scene source translate", ""),
-    ("measure", "frame render scene session source translate", "glam serde serde_json thiserror"),
+    ("measure", "frame render scene session source translate", "glam plotters serde serde_json thiserror toml"),
     ("output", "frame", "image tempfile thiserror std::fs"),
     ("export", "frame output render scene session source translate", "glam thiserror std::fs"),
     ("window", "frame output render report scene session source translate",

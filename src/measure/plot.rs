@@ -1,0 +1,120 @@
+//! Error against cost as SVG, both axes logarithmic.
+
+use plotters::prelude::*;
+
+use super::summary::Row;
+
+/// What an error is plotted against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Against {
+    /// Milliseconds a frame.
+    Time,
+    /// Rounds of loops a pixel.
+    Rounds,
+}
+
+impl Against {
+    fn of(self, row: &Row) -> Option<f64> {
+        match self {
+            Against::Time => row.milliseconds,
+            Against::Rounds => Some(row.rounds),
+        }
+    }
+
+    fn label(self) -> &'static str {
+        match self {
+            Against::Time => "ms a frame",
+            Against::Rounds => "loop rounds a pixel",
+        }
+    }
+}
+
+const SIZE: (u32, u32) = (760, 480);
+
+/// What an error of 0 is drawn as.
+const LEAST: f64 = 1e-9;
+
+/// Draws a curve for each family, a ring around what no other variant beats; `None` if there is nothing
+/// to draw.
+pub fn plot(rows: &[Row], against: Against, title: &str, error: &str) -> Option<String> {
+    let point = |row: &Row| Some((against.of(row).filter(|x| *x > 0.0)?, row.error.max(LEAST)));
+    let points: Vec<_> = rows.iter().filter_map(point).collect();
+    if points.is_empty() {
+        return None;
+    }
+    let range = |of: &dyn Fn(&(f64, f64)) -> f64| {
+        let low = points.iter().map(of).fold(f64::INFINITY, f64::min);
+        let high = points.iter().map(of).fold(0.0, f64::max);
+        low / 1.5..high * 1.5
+    };
+    let mut svg = String::new();
+    // An SVG in memory cannot fail to be written.
+    draw(
+        SVGBackend::with_string(&mut svg, SIZE),
+        rows,
+        &point,
+        (range(&|point| point.0), range(&|point| point.1)),
+        [title, against.label(), error],
+    )
+    .ok()?;
+    Some(svg)
+}
+
+type Point = (f64, f64);
+type Ranges = (std::ops::Range<f64>, std::ops::Range<f64>);
+
+fn draw(
+    backend: SVGBackend<'_>,
+    rows: &[Row],
+    point: &dyn Fn(&Row) -> Option<Point>,
+    (x, y): Ranges,
+    [title, x_label, y_label]: [&str; 3],
+) -> Result<(), Box<dyn std::error::Error>> {
+    let area = backend.into_drawing_area();
+    area.fill(&WHITE)?;
+    let mut chart = ChartBuilder::on(&area)
+        .caption(title, ("sans-serif", 20))
+        .margin(12)
+        .x_label_area_size(44)
+        .y_label_area_size(72)
+        .build_cartesian_2d(x.log_scale(), y.log_scale())?;
+    chart
+        .configure_mesh()
+        .x_desc(x_label)
+        .y_desc(y_label)
+        .light_line_style(BLACK.mix(0.06))
+        .bold_line_style(BLACK.mix(0.15))
+        .y_label_formatter(&|y| format!("{y:.0e}"))
+        .x_label_formatter(&|x| {
+            if *x < 10.0 {
+                format!("{x:.1}")
+            } else {
+                format!("{x:.0}")
+            }
+        })
+        .draw()?;
+    let families = rows.chunk_by(|a, b| a.family == b.family);
+    for (index, family) in families.enumerate() {
+        let colour = Palette99::pick(index).to_rgba();
+        let points: Vec<Point> = family.iter().filter_map(point).collect();
+        chart
+            .draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?
+            .label(&family[0].family)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(2)));
+        let dots = points
+            .iter()
+            .map(|&point| Circle::new(point, 4, colour.filled()));
+        chart.draw_series(dots)?;
+        let best = family.iter().filter(|row| row.is_best).filter_map(point);
+        let rings = best.map(|point| Circle::new(point, 8, BLACK.stroke_width(1)));
+        chart.draw_series(rings)?;
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperRight)
+        .background_style(WHITE.mix(0.8))
+        .border_style(BLACK.mix(0.3))
+        .draw()?;
+    area.present()?;
+    Ok(())
+}

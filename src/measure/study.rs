@@ -1,0 +1,314 @@
+//! What to measure: a study names a scene, its variants and the reference they are held against.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use glam::UVec2;
+use serde::{Deserialize, Serialize};
+
+use crate::translate::Probe;
+
+/// A study, as its TOML file has it.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Study {
+    /// What it is about.
+    pub title: String,
+    /// The scene of all variants that name no other; a path from the study's folder.
+    pub scene: PathBuf,
+    /// Width and height of every picture.
+    #[serde(default = "default_size", deserialize_with = "size")]
+    pub size: UVec2,
+    /// The moments, `iTime` in seconds.
+    #[serde(default = "default_times")]
+    pub times: Vec<f64>,
+    /// The value to compare besides the picture.
+    #[serde(default, deserialize_with = "probe")]
+    pub probe: Option<Probe>,
+    /// How often each variant is timed.
+    #[serde(default = "default_repeats")]
+    pub repeats: u32,
+    /// Errors for which the report names the cheapest variant: medians of the probe, or the picture's
+    /// RMSE where there is no probe.
+    #[serde(default)]
+    pub goals: Vec<f64>,
+    /// Macros of all variants and of the reference.
+    #[serde(default)]
+    pub define: Defines,
+    /// What the variants are held against.
+    pub reference: Reference,
+    /// What a person found in it: the end of the report, in Markdown.
+    #[serde(default)]
+    pub findings: String,
+    /// The variants.
+    #[serde(rename = "family")]
+    pub families: Vec<Family>,
+}
+
+/// Macros with their values.
+pub type Defines = BTreeMap<String, Value>;
+
+/// What is taken for true.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Reference {
+    /// Its scene, if it is another.
+    pub scene: Option<PathBuf>,
+    /// Its macros.
+    #[serde(default)]
+    pub define: Defines,
+    /// Macros that refine it: how far the two are apart is how far the reference can be trusted.
+    #[serde(default)]
+    pub refined: Defines,
+    /// Whether it is drawn in double precision.
+    #[serde(default)]
+    pub precision: ReferencePrecision,
+}
+
+/// What a reference is computed in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+pub enum ReferencePrecision {
+    /// 64 bits.
+    #[default]
+    #[serde(rename = "f64")]
+    Double,
+    /// 32 bits, where the device has no others; rounding and discretisation are then not told apart.
+    #[serde(rename = "f32")]
+    Single,
+}
+
+/// Variants that differ in the values of a few macros: a curve of a plot.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Family {
+    /// Its name.
+    pub name: String,
+    /// Its scene, if it is another.
+    pub scene: Option<PathBuf>,
+    /// Macros of all its variants.
+    #[serde(default)]
+    pub define: Defines,
+    /// Macros with the values that they take in turn; of several, every combination.
+    #[serde(default)]
+    pub vary: BTreeMap<String, Vec<Value>>,
+}
+
+/// The value of a macro, as GLSL has it: a number of TOML keeps its point.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+pub struct Value(pub String);
+
+impl<'de> Deserialize<'de> for Value {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged, expecting = "a number or a string")]
+        enum Written {
+            Int(i64),
+            Float(f64),
+            Text(String),
+        }
+        Ok(Value(match Written::deserialize(deserializer)? {
+            Written::Int(value) => value.to_string(),
+            Written::Float(value) => format!("{value:?}"),
+            Written::Text(value) => value,
+        }))
+    }
+}
+
+fn default_size() -> UVec2 {
+    UVec2::new(240, 135)
+}
+
+fn default_times() -> Vec<f64> {
+    vec![1.0]
+}
+
+fn default_repeats() -> u32 {
+    5
+}
+
+fn size<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<UVec2, D::Error> {
+    let text = String::deserialize(deserializer)?;
+    let sides = text.split_once('x').map(|(x, y)| (x.parse(), y.parse()));
+    match sides {
+        Some((Ok(x), Ok(y))) if x > 0 && y > 0 => Ok(UVec2::new(x, y)),
+        _ => Err(serde::de::Error::custom(format!(
+            "`{text}` is no size: write it as \"240x135\""
+        ))),
+    }
+}
+
+fn probe<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<Option<Probe>, D::Error> {
+    let text = String::deserialize(deserializer)?;
+    text.parse().map(Some).map_err(serde::de::Error::custom)
+}
+
+/// A variant of a study.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Variant {
+    /// The family that it belongs to.
+    pub family: String,
+    /// What tells it apart in its family, as `STEP_FACTOR=0.4`; empty if it is alone.
+    pub label: String,
+    /// Its scene.
+    pub scene: PathBuf,
+    /// Its macros.
+    pub defines: Vec<(String, String)>,
+}
+
+impl Variant {
+    /// Family and label.
+    pub fn name(&self) -> String {
+        match self.label.as_str() {
+            "" => self.family.clone(),
+            label => format!("{} {label}", self.family),
+        }
+    }
+}
+
+impl Study {
+    /// Reads a study from the text of its file; the message names the line.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let study: Study = toml::from_str(text).map_err(|error| error.to_string())?;
+        let problem = if study.families.is_empty() {
+            "a study has at least one [[family]]"
+        } else if study.times.is_empty() {
+            "`times` names no moment"
+        } else if study.repeats == 0 {
+            "`repeats` is at least 1"
+        } else {
+            return Ok(study);
+        };
+        Err(problem.to_owned())
+    }
+
+    /// All variants, in order, with scenes as paths from `folder`.
+    pub fn variants(&self, folder: &Path) -> Vec<Variant> {
+        let mut variants = Vec::new();
+        for family in &self.families {
+            let scene = folder.join(family.scene.as_ref().unwrap_or(&self.scene));
+            let mut labels: Vec<Vec<(&String, &Value)>> = vec![Vec::new()];
+            for (name, values) in &family.vary {
+                let extended = labels.iter().flat_map(|before| {
+                    values.iter().map(move |value| {
+                        let mut label = before.clone();
+                        label.push((name, value));
+                        label
+                    })
+                });
+                labels = extended.collect();
+            }
+            variants.extend(labels.into_iter().map(|label| {
+                let own = label.iter().copied();
+                let text: Vec<_> = own.clone().map(|(n, v)| format!("{n}={}", v.0)).collect();
+                Variant {
+                    family: family.name.clone(),
+                    label: text.join(" "),
+                    scene: scene.clone(),
+                    defines: merged([&self.define, &family.define], own),
+                }
+            }));
+        }
+        variants
+    }
+
+    /// The reference, and that refined.
+    pub fn references(&self, folder: &Path) -> [Variant; 2] {
+        let reference = &self.reference;
+        let scene = folder.join(reference.scene.as_ref().unwrap_or(&self.scene));
+        [
+            ("reference", None),
+            ("refined reference", Some(&reference.refined)),
+        ]
+        .map(|(family, refined)| Variant {
+            family: family.to_owned(),
+            label: String::new(),
+            scene: scene.clone(),
+            defines: merged(
+                [&self.define, &reference.define],
+                refined.into_iter().flatten(),
+            ),
+        })
+    }
+}
+
+/// Macros of which the later win.
+fn merged<'a>(
+    common: [&'a Defines; 2],
+    own: impl Iterator<Item = (&'a String, &'a Value)>,
+) -> Vec<(String, String)> {
+    let all = common.into_iter().flatten().chain(own);
+    let all: BTreeMap<_, _> = all
+        .map(|(name, value)| (name.clone(), value.0.clone()))
+        .collect();
+    all.into_iter().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = r#"
+title = "March"
+scene = "../template"
+size = "64x36"
+times = [1, 2.5]
+probe = "t"
+define = { TERRAIN_OCTAVES = 4 }
+[reference]
+define = { STEP_FACTOR = 0.02 }
+refined = { STEP_FACTOR = 0.01 }
+[[family]]
+name = "adaptive"
+vary = { STEP_FACTOR = [0.1, 1.0], MAX_STEPS = ["80", 300] }
+[[family]]
+name = "other"
+scene = "../relaxation"
+define = { TERRAIN_OCTAVES = 9 }
+"#;
+
+    #[test]
+    fn variants_are_every_combination() {
+        let study = Study::parse(TEXT).expect("a study");
+        let variants = study.variants(Path::new("studies"));
+        let names: Vec<_> = variants.iter().map(Variant::name).collect();
+        assert_eq!(
+            names,
+            [
+                "adaptive MAX_STEPS=80 STEP_FACTOR=0.1",
+                "adaptive MAX_STEPS=80 STEP_FACTOR=1.0",
+                "adaptive MAX_STEPS=300 STEP_FACTOR=0.1",
+                "adaptive MAX_STEPS=300 STEP_FACTOR=1.0",
+                "other"
+            ]
+        );
+        let pair = |name: &str, value: &str| (name.to_owned(), value.to_owned());
+        assert_eq!(
+            variants[1].defines,
+            [
+                pair("MAX_STEPS", "80"),
+                pair("STEP_FACTOR", "1.0"),
+                pair("TERRAIN_OCTAVES", "4")
+            ]
+        );
+        assert_eq!(variants[4].defines, [pair("TERRAIN_OCTAVES", "9")]);
+        assert_eq!(variants[4].scene, Path::new("studies/../relaxation"));
+        let [reference, refined] = study.references(Path::new(""));
+        assert_eq!(reference.defines[0], pair("STEP_FACTOR", "0.02"));
+        assert_eq!(refined.defines[0], pair("STEP_FACTOR", "0.01"));
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        for (from, to, words) in [
+            ("64x36", "64", "is no size"),
+            ("\"t\"", "\"t t\"", "names no value"),
+            ("times = [1, 2.5]", "times = []", "no moment"),
+            ("title", "titel", "unknown field `titel`"),
+            ("size = \"64x36\"", "repeats = 0", "at least 1"),
+            ("= 0.02", "= []", "a number or a string"),
+        ] {
+            let message = Study::parse(&TEXT.replacen(from, to, 1)).expect_err(from);
+            assert!(message.contains(words), "{from}: {message}");
+        }
+    }
+}
