@@ -45,7 +45,7 @@ pub fn plot(rows: &[Row], against: Against, title: &str, error: &str) -> Option<
     let range = |of: &dyn Fn(&(f64, f64)) -> f64| {
         let low = points.iter().map(of).fold(f64::INFINITY, f64::min);
         let high = points.iter().map(of).fold(0.0, f64::max);
-        low / 1.5..high * 1.5
+        around(low, high)
     };
     let mut svg = String::new();
     // An SVG in memory cannot fail to be written.
@@ -60,29 +60,45 @@ pub fn plot(rows: &[Row], against: Against, title: &str, error: &str) -> Option<
     Some(svg)
 }
 
+/// 1, 2 and 5 times powers of ten, from below `low` to above `high`.
+fn around(low: f64, high: f64) -> Vec<f64> {
+    let decades = low.log10().floor() as i32 - 1..=high.log10().ceil() as i32 + 1;
+    let all: Vec<f64> = decades
+        .flat_map(|decade| [1.0, 2.0, 5.0].map(|digit| digit * 10_f64.powi(decade)))
+        .collect();
+    let begin = all.iter().rposition(|&mark| mark < low * 0.95).unwrap_or(0);
+    let end = all.iter().position(|&mark| mark > high * 1.05);
+    all[begin..=end.unwrap_or(all.len() - 1)].to_vec()
+}
+
 type Point = (f64, f64);
-type Ranges = (std::ops::Range<f64>, std::ops::Range<f64>);
+/// The marks of the two axes, ascending; the first and last are their ends.
+type Marks = (Vec<f64>, Vec<f64>);
 
 fn draw(
     backend: SVGBackend<'_>,
     rows: &[Row],
     point: &dyn Fn(&Row) -> Option<Point>,
-    (x, y): Ranges,
+    (x, y): Marks,
     [title, x_label, y_label]: [&str; 3],
 ) -> Result<(), Box<dyn std::error::Error>> {
     let area = backend.into_drawing_area();
     area.fill(&WHITE)?;
+    let axis = |marks: Vec<f64>| {
+        let range = marks[0]..marks[marks.len() - 1];
+        range.log_scale().with_key_points(marks)
+    };
     let mut chart = ChartBuilder::on(&area)
         .caption(title, ("sans-serif", 20))
         .margin(12)
         .x_label_area_size(44)
         .y_label_area_size(72)
-        .build_cartesian_2d(x.log_scale(), y.log_scale())?;
+        .build_cartesian_2d(axis(x), axis(y))?;
     chart
         .configure_mesh()
         .x_desc(x_label)
         .y_desc(y_label)
-        .light_line_style(BLACK.mix(0.06))
+        .light_line_style(TRANSPARENT)
         .bold_line_style(BLACK.mix(0.15))
         .y_label_formatter(&|y| format!("{y:.0e}"))
         .x_label_formatter(&|x| {
@@ -117,4 +133,15 @@ fn draw(
         .draw()?;
     area.present()?;
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::around;
+
+    #[test]
+    fn marks_enclose_the_points() {
+        assert_eq!(around(3.0, 40.0), [2.0, 5.0, 10.0, 20.0, 50.0]);
+        assert_eq!(around(10.0, 10.0), [5.0, 10.0, 20.0]);
+    }
 }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::run::Findings;
+use super::run::{Errors, Findings};
 use super::study::{ReferencePrecision, Study};
 use super::summary::{Row, cheapest};
 
@@ -111,7 +111,7 @@ pub fn markdown(
         ReferencePrecision::Single => "32 bits",
     };
     let _ = write!(text, "The reference is computed in {precision}");
-    let largest = findings.reference.iter().map(|errors| errors.main());
+    let largest = findings.reference.iter().map(Errors::main);
     match largest.reduce(f64::max) {
         Some(own) => {
             let _ = writeln!(text, "; refined once more it moves by {}.\n", number(own));
