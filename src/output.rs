@@ -56,6 +56,31 @@ impl PngSink {
     }
 }
 
+/// An EXR file with named channels of 32-bit floats, top row first, compressed without loss.
+#[cfg(feature = "gpu")]
+pub fn exr(size: glam::UVec2, channels: Vec<(String, Vec<f32>)>) -> io::Result<Vec<u8>> {
+    use exr::prelude::WritableImage as _;
+    use exr::prelude::{
+        AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes,
+    };
+    let channels = channels
+        .into_iter()
+        .map(|(name, values)| AnyChannel::new(name.as_str(), FlatSamples::F32(values)));
+    let layer = Layer::new(
+        (size.x as usize, size.y as usize),
+        LayerAttributes::default(),
+        Encoding::SMALL_FAST_LOSSLESS,
+        AnyChannels::sort(channels.collect()),
+    );
+    let mut bytes = io::Cursor::new(Vec::new());
+    (Image::from_layer(layer)
+        .write()
+        .non_parallel()
+        .to_buffered(&mut bytes))
+    .map_err(io::Error::other)?;
+    Ok(bytes.into_inner())
+}
+
 /// Writes a file under another name beside its place and renames it when it is whole.
 pub fn place(path: &Path, bytes: &[u8], overwrite: bool) -> io::Result<()> {
     let folder = match path.parent() {

@@ -83,7 +83,7 @@ pub struct RunArgs {
 pub struct ExportArgs {
     #[arg(help = SCENE_HELP)]
     pub scene: PathBuf,
-    /// Where to write: `%d` or `%05d` stands for the frame number, `%%` for a percent sign
+    /// Where to write, as PNG or EXR: `%d` or `%05d` stands for the frame number, `%%` for a percent sign
     #[arg(long, short, value_name = "PATTERN")]
     pub out: String,
     /// The frames, by number: from A up to, not including, B [default: frame 0 alone]
@@ -101,6 +101,16 @@ pub struct ExportArgs {
     /// Replace files that exist already
     #[arg(long)]
     pub overwrite: bool,
+    /// Write these values too, as channels of EXR files; in PNG files, one instead of the colour. A
+    /// value is a variable of the entry point, `FUNCTION.NAME` or `FUNCTION()`
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    pub probe: Vec<String>,
+    /// Count the rounds of loops: a heat map as PNG, or a channel of EXR files
+    #[arg(long, value_enum, value_name = "WHAT")]
+    pub count: Option<Count>,
+    /// What to compute in
+    #[arg(long, value_enum, default_value_t = Precision::F32)]
+    pub precision: Precision,
     /// Write where the time went, as JSON
     #[arg(long, value_name = "FILE.json")]
     pub stats: Option<PathBuf>,
@@ -230,6 +240,22 @@ pub enum Format {
     Human,
     /// For tools: one JSON object a line
     Json,
+}
+
+#[cfg(feature = "gpu")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Count {
+    /// Rounds of all loops
+    Loops,
+}
+
+#[cfg(feature = "gpu")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Precision {
+    /// 32-bit floats, as browsers do
+    F32,
+    /// 64-bit floats throughout, where the adapter has them
+    F64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -6,23 +6,34 @@ use std::time::{Duration, Instant};
 use anyhow::Context as _;
 use glam::UVec2;
 use serde::Serialize;
-use vitrine::export::{self, ExportError, Frames, Job, OutPattern, Summary};
+use vitrine::export::{
+    self, ExportError, Frames, Job, Layers, OutPattern, Summary, Wanted, export_layers,
+};
 use vitrine::output;
-use vitrine::render::Gpu;
+use vitrine::render::{Gpu, Watchdog};
 use vitrine::report;
+use vitrine::scene::Source;
 use vitrine::session::Session;
+use vitrine::translate::{Options, Output, Probe};
 
 use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
 use super::progress::Progress;
 use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
-use crate::cli::ExportArgs;
+use crate::cli::{Count, ExportArgs, Precision};
 
 pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     let job = job(&args)?;
     // What cannot be written is refused before anything is started.
     job.check_output().map_err(explain_export)?;
     let source = source(&args.scene)?;
-    let options = options(args.define.clone());
+    let mut options = options(args.define.clone());
+    if args.precision == Precision::F64 {
+        options.precision = vitrine::glsl::Precision::Double;
+    }
+    let wanted = wanted(&args, &job)?;
+    if let ([probe], false) = (wanted.probes.as_slice(), job.out.is_exr()) {
+        options.output = Output::Probe(probe.clone());
+    }
     if !can_run(&source, &options)? {
         return Ok(SCENE_HAS_PROBLEMS.into());
     }
@@ -31,6 +42,9 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     let driver = opening.elapsed();
     let watchdog = watchdog(&args.gpu);
     watchdog.begin();
+    if job.out.is_exr() || wanted.rounds {
+        return export_layered(&gpu, &source, &options, &wanted, &job, &watchdog);
+    }
     let session = match Session::open(&gpu, &source, &options) {
         Ok(session) => session,
         Err(error) => return explain(error).map(Into::into),
@@ -54,6 +68,78 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
         let text = serde_json::to_string_pretty(&stats)? + "\n";
         output::place(path, text.as_bytes(), true).map_err(|error| unwritable(path, &error))?;
     }
+    Ok(match summary.interrupted {
+        true => INTERRUPTED.into(),
+        false => ExitCode::SUCCESS,
+    })
+}
+
+/// What is asked for beside the picture, if the files can hold it.
+fn wanted(args: &ExportArgs, job: &Job) -> anyhow::Result<Wanted> {
+    let probes = args.probe.iter().map(|name| name.parse::<Probe>());
+    let probes: Result<Vec<_>, _> = probes.collect();
+    let wanted = Wanted {
+        probes: probes.map_err(|message| failure(message, ""))?,
+        rounds: args.count == Some(Count::Loops),
+    };
+    let fills = wanted.probes.len() + usize::from(wanted.rounds);
+    if fills > 1 && !job.out.is_exr() {
+        return Err(failure(
+            "a PNG file holds one value in place of the colour",
+            "write EXR files, `--out frames/%05d.exr`, which hold the picture and all values",
+        ));
+    }
+    if args.stats.is_some() && (job.out.is_exr() || wanted.rounds) {
+        return Err(failure(
+            "`--stats` tells of plain pictures only",
+            "`vitrine measure` times what draws values",
+        ));
+    }
+    Ok(wanted)
+}
+
+/// Exports with values from within the pixels.
+fn export_layered(
+    gpu: &Gpu,
+    source: &Source,
+    options: &Options,
+    wanted: &Wanted,
+    job: &Job,
+    watchdog: &Watchdog,
+) -> anyhow::Result<ExitCode> {
+    let started = Instant::now();
+    let mut layers = match Layers::open(gpu, source, options, wanted, job.size) {
+        Ok(layers) => layers,
+        Err(error) => return explain(error).map(Into::into),
+    };
+    report::show(&layers.picture.session.warnings);
+    let interrupted = interruption()?;
+    let mut progress = Progress::new(job.frames.count(), "frames");
+    let result = export_layers(gpu, &mut layers, job, watchdog, &mut |written| {
+        progress.at(written);
+        !interrupted.load(Ordering::Relaxed)
+    });
+    progress.end();
+    let summary = result.map_err(explain_export)?;
+    let files = &layers.picture.session.scene.files;
+    let pixels = f64::from(job.size.element_product()) * f64::from(summary.frames.max(1));
+    for work in &layers.loops {
+        let place = match work.place {
+            None => "the host's text".to_owned(),
+            Some(span) => {
+                let file = files.get(span.file);
+                let at = file.location(span.start);
+                format!("{}:{}:{}", file.name, at.line, at.column)
+            }
+        };
+        report::tell(format_args!(
+            "{place}: {:.0} rounds, {:.1} a pixel, {:.0} at most",
+            work.rounds,
+            work.rounds / pixels,
+            work.most
+        ));
+    }
+    report_end(job, &summary, started.elapsed());
     Ok(match summary.interrupted {
         true => INTERRUPTED.into(),
         false => ExitCode::SUCCESS,

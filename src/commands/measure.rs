@@ -6,7 +6,6 @@ use std::time::Instant;
 
 use glam::UVec2;
 use serde::{Deserialize, Serialize};
-use vitrine::measure::MeasureError;
 use vitrine::measure::plot::{Against, plot};
 use vitrine::measure::report::{self as reports, Machine};
 use vitrine::measure::run::{Cell, Findings, Surroundings, run};
@@ -125,8 +124,7 @@ pub fn measure(args: MeasureArgs) -> anyhow::Result<ExitCode> {
     }
     let findings = match findings {
         Ok(findings) => findings,
-        Err(MeasureError::Open(error)) => return explain(error).map(Into::into),
-        Err(MeasureError::Gpu(error)) => return Err(gpu_failure(&error)),
+        Err(error) => return explain(error).map(Into::into),
     };
     let resumed = findings.cells.len() - found.len();
     known.extend(found);

@@ -2,8 +2,10 @@
 //! those before that are encoded and written on other threads.
 
 mod encoders;
+mod layers;
 mod pattern;
 
+pub use layers::{Layers, LoopWork, Wanted, export_layers};
 pub use pattern::{OutPattern, PatternError};
 
 use std::collections::VecDeque;

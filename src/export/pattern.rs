@@ -24,9 +24,9 @@ pub enum PatternError {
     /// More digits than any number has.
     #[error("frame numbers have at most 20 digits")]
     Width,
-    /// Pictures are written as PNG.
-    #[error("the output path must end in `.png`")]
-    NotPng,
+    /// Pictures are written as PNG or EXR.
+    #[error("the output path must end in `.png` or `.exr`")]
+    Format,
 }
 
 impl OutPattern {
@@ -66,10 +66,20 @@ impl OutPattern {
             rest = behind;
         }
         pattern.tail().push_str(rest);
-        if !text.to_ascii_lowercase().ends_with(".png") {
-            return Err(PatternError::NotPng);
+        let ending = text.to_ascii_lowercase();
+        if !ending.ends_with(".png") && !ending.ends_with(".exr") {
+            return Err(PatternError::Format);
         }
         Ok(pattern)
+    }
+
+    /// Whether the files are EXR, which hold floats and named channels.
+    pub fn is_exr(&self) -> bool {
+        let end = match self.number {
+            None => &self.before,
+            Some(_) => &self.after,
+        };
+        end.to_ascii_lowercase().ends_with(".exr")
     }
 
     fn tail(&mut self) -> &mut String {
@@ -183,8 +193,8 @@ mod tests {
             ("%d%d.png", PatternError::TwoNumbers),
             ("%99999999999999999999d.png", PatternError::Width),
             ("%999d.png", PatternError::Width),
-            ("%d.jpg", PatternError::NotPng),
-            ("frames", PatternError::NotPng),
+            ("%d.jpg", PatternError::Format),
+            ("frames", PatternError::Format),
         ] {
             assert_eq!(OutPattern::parse(text), Err(error), "{text}");
         }

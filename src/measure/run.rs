@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use super::compare::{self, PictureError, ProbeError};
 use super::study::{ReferencePrecision, Study, Variant};
-use super::subject::{Drawn, MeasureError, Subject};
 use crate::frame::{Clock, FloatImage, FrameInput};
 use crate::glsl::Precision;
 use crate::render::Gpu;
 use crate::scene::Source;
+use crate::session::{Drawn, OpenError, Subject};
 use crate::translate::{Options, Output};
 
 /// What is known of a variant at one moment.
@@ -124,7 +124,7 @@ struct Views {
 }
 
 /// Carries a study out.
-pub fn run(study: &Study, around: Surroundings<'_>) -> Result<Findings, MeasureError> {
+pub fn run(study: &Study, around: Surroundings<'_>) -> Result<Findings, OpenError> {
     let variants = study.variants(around.folder);
     let references = study.references(around.folder);
     let mut run = Run {
@@ -231,7 +231,7 @@ impl Run<'_, '_> {
         variant: &Variant,
         precision: Precision,
         output: Output,
-    ) -> Result<Subject, MeasureError> {
+    ) -> Result<Subject, OpenError> {
         let options = Options {
             overrides: variant.defines.clone(),
             precision,
@@ -242,7 +242,7 @@ impl Run<'_, '_> {
         Subject::open(self.around.gpu, &source, &options, self.study.size)
     }
 
-    fn draw(&mut self, subject: &mut Subject, at: usize) -> Result<Drawn, MeasureError> {
+    fn draw(&mut self, subject: &mut Subject, at: usize) -> Result<Drawn, OpenError> {
         Ok(subject.draw(self.around.gpu, &self.inputs[at], &mut || {})?)
     }
 
@@ -252,14 +252,14 @@ impl Run<'_, '_> {
         variant: &Variant,
         precision: Precision,
         output: Output,
-    ) -> Result<Vec<FloatImage>, MeasureError> {
+    ) -> Result<Vec<FloatImage>, OpenError> {
         let mut subject = self.open(variant, precision, output)?;
         (0..self.inputs.len())
             .map(|at| Ok(self.draw(&mut subject, at)?.image))
             .collect()
     }
 
-    fn views(&mut self, variant: &Variant, precision: Precision) -> Result<Views, MeasureError> {
+    fn views(&mut self, variant: &Variant, precision: Precision) -> Result<Views, OpenError> {
         Ok(Views {
             pictures: self.images(variant, precision, Output::Colour)?,
             probes: match &self.study.probe {
@@ -270,7 +270,7 @@ impl Run<'_, '_> {
     }
 
     /// Everything about a variant but its times.
-    fn cells(&mut self, variant: &Variant, truth: &Views) -> Result<Vec<Cell>, MeasureError> {
+    fn cells(&mut self, variant: &Variant, truth: &Views) -> Result<Vec<Cell>, OpenError> {
         let study = self.study;
         let single = self.views(variant, Precision::Single)?;
         let total = single.errors(truth, study);
@@ -303,7 +303,7 @@ impl Run<'_, '_> {
         &mut self,
         variants: &[Variant],
         cells: &mut [Cell],
-    ) -> Result<Vec<Subject>, MeasureError> {
+    ) -> Result<Vec<Subject>, OpenError> {
         let mut subjects = Vec::with_capacity(variants.len());
         for variant in variants {
             let mut subject = self.open(variant, Precision::Single, Output::Colour)?;

@@ -89,7 +89,10 @@ fn a_name_that_is_no_pattern() {
             "a plain percent sign is `%%`",
         ],
     );
-    refused("--out frames", &["the output path must end in `.png`"]);
+    refused(
+        "--out frames",
+        &["the output path must end in `.png` or `.exr`"],
+    );
 }
 
 #[test]

@@ -3,8 +3,8 @@
 use glam::UVec2;
 use vitrine::frame::{Clock, FloatImage};
 use vitrine::glsl::Precision;
-use vitrine::measure::Subject;
 use vitrine::render::Gpu;
+use vitrine::session::Subject;
 use vitrine::translate::{Options, Output, Probe};
 
 use crate::double::open_double;

@@ -1,14 +1,15 @@
-//! One way to draw a scene, in floats.
+//! Pictures in floats, for those who measure or go on computing.
 
 use glam::UVec2;
 
+use super::{OpenError, Session};
 use crate::frame::{FloatImage, FrameInput};
 use crate::render::{Format, Gpu, GpuError, ReadBack, Slot, Target};
 use crate::scene::Source;
-use crate::session::{OpenError, Session};
 use crate::translate;
 
-/// A scene that is drawn into floats, with its target.
+/// One way to draw a scene, into floats: with some macros, in some precision, giving its colour or a
+/// value from within.
 #[derive(Debug)]
 pub struct Subject {
     /// The scene.
@@ -26,23 +27,6 @@ pub struct Drawn {
     pub seconds: Option<f64>,
 }
 
-/// Why nothing could be measured.
-#[derive(Debug, thiserror::Error)]
-pub enum MeasureError {
-    /// The scene cannot be opened.
-    #[error("the scene cannot be opened")]
-    Open(OpenError),
-    /// The driver failed.
-    #[error(transparent)]
-    Gpu(#[from] GpuError),
-}
-
-impl From<OpenError> for MeasureError {
-    fn from(error: OpenError) -> Self {
-        MeasureError::Open(error)
-    }
-}
-
 impl Subject {
     /// Opens a scene for pictures of one size.
     pub fn open(
@@ -50,7 +34,7 @@ impl Subject {
         source: &Source,
         options: &translate::Options,
         size: UVec2,
-    ) -> Result<Self, MeasureError> {
+    ) -> Result<Self, OpenError> {
         let session = Session::open_for(gpu, source, options, Format::Floats)?;
         let target = Target::new(gpu, size, Format::Floats)?;
         let mut ring = ReadBack::new(gpu, &target, 1, true)?;

@@ -1,5 +1,9 @@
 //! The live triple of scene, programs and renderer: the same in window, export and tests.
 
+mod floats;
+
+pub use floats::{Drawn, Subject};
+
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
