@@ -145,6 +145,7 @@ fn ours(text: &Text, arithmetic: Arithmetic, times: &mut [Duration; 5]) -> bool 
             precision: Precision::Single,
             arithmetic,
             output: lower::Output::Colour,
+            round_budget: None,
             interface: &bindings::INTERFACE,
             double_functions: &double_functions,
         },

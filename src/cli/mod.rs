@@ -36,6 +36,9 @@ pub enum Command {
     /// Hold variants of a scene against a reference: error against run time
     #[cfg(feature = "gpu")]
     Measure(MeasureArgs),
+    /// Put a scene to extreme times, sizes, mice and frame numbers, and say where it breaks
+    #[cfg(feature = "gpu")]
+    Stability(StabilityArgs),
     /// Say what is wrong with scenes, without a GPU
     Check(CheckArgs),
     /// Write a scene's shader in another language
@@ -149,6 +152,23 @@ pub struct MeasureArgs {
     /// Do not go on from what an earlier run left in the folder
     #[arg(long)]
     pub fresh: bool,
+    #[command(flatten)]
+    pub gpu: GpuArgs,
+}
+
+#[cfg(feature = "gpu")]
+#[derive(Debug, Args)]
+pub struct StabilityArgs {
+    #[arg(help = SCENE_HELP)]
+    pub scene: PathBuf,
+    /// Give a macro these values in turn, too
+    #[arg(long, value_name = "NAME=A,B,…", value_parser = vary)]
+    pub vary: Vec<(String, Vec<String>)>,
+    /// How to write the verdicts
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    pub format: Format,
+    #[command(flatten)]
+    pub define: DefineArgs,
     #[command(flatten)]
     pub gpu: GpuArgs,
 }

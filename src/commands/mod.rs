@@ -14,6 +14,8 @@ mod opening;
 mod progress;
 #[cfg(feature = "window")]
 mod run;
+#[cfg(feature = "gpu")]
+mod stability;
 mod translate;
 
 use std::io::{Read as _, Write as _};
@@ -49,6 +51,8 @@ pub fn run(command: Command, started: Instant) -> anyhow::Result<ExitCode> {
         Command::Export(args) => export::export(args, started),
         #[cfg(feature = "gpu")]
         Command::Measure(args) => measure::measure(args),
+        #[cfg(feature = "gpu")]
+        Command::Stability(args) => stability::stability(args),
         Command::Check(args) => check::check(args),
         Command::Translate(args) => translate::translate(args),
         Command::Inspect(args) => inspect::inspect(args),

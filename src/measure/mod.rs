@@ -7,5 +7,6 @@ pub mod compare;
 pub mod plot;
 pub mod report;
 pub mod run;
+pub mod stability;
 pub mod study;
 pub mod summary;

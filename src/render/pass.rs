@@ -143,7 +143,7 @@ fn shader_module(gpu: &Gpu, program: &Program) -> wgpu::ShaderModule {
     };
     let guards = &program.guards;
     let mut checks = wgpu::ShaderRuntimeChecks::checked();
-    checks.force_loop_bounding = !guards.loops.is_empty();
+    checks.force_loop_bounding = !guards.loops.is_empty() && program.round_budget.is_none();
     checks.bounds_checks = !guards.accesses.is_empty();
     checks.int_div_checks = !guards.divisions.is_empty();
     #[expect(
@@ -151,7 +151,7 @@ fn shader_module(gpu: &Gpu, program: &Program) -> wgpu::ShaderModule {
         reason = "wgpu leaves it to its caller that checks are not needed"
     )]
     // SAFETY: a kind of check is left away only if the translator has shown for every place of that
-    // kind in the program that it cannot fail: each loop ends, each index is in range, no divisor is 0
+    // kind in the program that it cannot fail: each loop ends, by its budget if not by itself, each index is in range, no divisor is 0
     // or −1. All other checks stay.
     unsafe {
         gpu.device()

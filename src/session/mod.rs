@@ -12,6 +12,10 @@ use crate::scene::{self, Input, LoadError, LoadErrorKind, PassKind, Scene, Sourc
 use crate::source::{Diagnostic, Report, Span};
 use crate::translate::{self, Arithmetic, Program};
 
+/// How many rounds loops that are not known to end may make in a pixel: some tenths of a second on a
+/// GPU, and hundreds of times what any picture needs that is drawn while someone watches.
+pub const ROUND_BUDGET: u32 = 1 << 22;
+
 /// A scene that can be drawn.
 #[derive(Debug)]
 pub struct Session {
@@ -116,6 +120,8 @@ impl Session {
         // What is drawn shall look as it does in a browser.
         let options = translate::Options {
             arithmetic: Arithmetic::Expanded,
+            // A loop that never ends must not take the machine with it.
+            round_budget: Some(options.round_budget.unwrap_or(ROUND_BUDGET)),
             ..options.clone()
         };
         let programs = translate::translate(&scene, &options).map_err(in_scene)?;

@@ -46,6 +46,9 @@ pub struct Options {
     pub arithmetic: Arithmetic,
     /// What the program gives for a pixel.
     pub output: Output,
+    /// How many rounds all loops that are not known to end may make in a pixel together; behind that
+    /// they end at once. Without it the renderer asks for guards instead, which end no loop soon.
+    pub round_budget: Option<u32>,
 }
 
 /// Translates every pass of a scene, in the scene's order.
@@ -222,6 +225,7 @@ impl Text<'_> {
                 precision: options.precision,
                 arithmetic: options.arithmetic,
                 output,
+                round_budget: options.round_budget,
                 interface: &bindings::INTERFACE,
                 double_functions: &double_functions,
             },
@@ -257,6 +261,7 @@ impl Text<'_> {
             functions,
             guards,
             loops,
+            options.round_budget,
         )
         .map_err(|message| internal(&message))?;
         // What validates can be written: this is for whoever changes that by mistake.
@@ -276,6 +281,7 @@ impl Text<'_> {
             Output::Colour => lower::Output::Colour,
             Output::Rounds(first) => lower::Output::Rounds(*first),
             Output::AllRounds => lower::Output::AllRounds,
+            Output::Spent => lower::Output::Spent,
             Output::Probe(probe) => {
                 let (entry, _) = preamble::entry_point(self.pass.kind);
                 let watched = probe::find(hir, probe, entry)

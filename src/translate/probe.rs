@@ -18,6 +18,8 @@ pub enum Output {
     Rounds(u32),
     /// The rounds that all loops made together.
     AllRounds,
+    /// The rounds that counted against [`super::Options::round_budget`].
+    Spent,
 }
 
 /// The name of a value within a pass.

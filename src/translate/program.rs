@@ -35,6 +35,9 @@ pub struct Program {
     /// Every loop of the functions that are used, by its number; `None` where it is none of the
     /// author's.
     pub loops: Vec<Option<Span>>,
+    /// The rounds that loops not known to end may make in a pixel, see
+    /// [`Options::round_budget`](super::Options::round_budget).
+    pub round_budget: Option<u32>,
     /// Macros that the user overrides, and that the pass never mentions.
     pub unused_overrides: Vec<String>,
     /// What the author should know although the pass runs.
@@ -105,6 +108,7 @@ impl Program {
         functions: Functions,
         guards: Guards,
         loops: Vec<Option<Span>>,
+        round_budget: Option<u32>,
     ) -> Result<Self, String> {
         let mut module = lowered.module;
         naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
@@ -118,6 +122,7 @@ impl Program {
             functions,
             guards,
             loops,
+            round_budget,
             unused_overrides: Vec::new(),
             warnings: Vec::new(),
             module,

@@ -61,6 +61,7 @@ pub fn compile(text: &str, uniforms: Vec<String>) -> Result<Lowered, Refusal> {
         // As it is when it is drawn.
         arithmetic: Arithmetic::Expanded,
         output: lower::Output::Colour,
+        round_budget: None,
         interface: &Interface {
             group: GROUP,
             block: BLOCK,

@@ -52,7 +52,9 @@ mod outputs;
 mod reload;
 #[cfg(feature = "gpu")]
 mod scenes;
+#[cfg(all(feature = "window", target_os = "linux"))]
+mod stability;
 #[cfg(feature = "gpu")]
 mod webgl2;
-#[cfg(all(feature = "window", target_os = "linux"))]
+#[cfg(feature = "gpu")]
 mod window;

@@ -49,6 +49,9 @@ pub struct Options<'a> {
     pub arithmetic: Arithmetic,
     /// What the program gives for a pixel.
     pub output: Output,
+    /// How many rounds all loops that are not known to end may make in a pixel together; behind that
+    /// each of them ends at once. Without it a loop may go on for ever.
+    pub round_budget: Option<u32>,
     /// What the host binds.
     pub interface: &'a Interface,
     /// In double precision, the functions to compute built-in functions with that graphics drivers

@@ -23,6 +23,9 @@ pub enum Output {
     Rounds(u32),
     /// How many rounds all loops made together, in every component.
     AllRounds,
+    /// How many rounds counted against [`Options::round_budget`](super::Options::round_budget), in every
+    /// component: more than it where the budget was used up.
+    Spent,
 }
 
 /// A value within a program.
@@ -53,6 +56,8 @@ pub fn can_be_watched(ty: Type) -> bool {
 #[derive(Debug, Default)]
 pub(super) struct Record {
     variable: Option<(Handle<naga::GlobalVariable>, Type)>,
+    /// The rounds that count against the budget.
+    spent: Option<Handle<naga::GlobalVariable>>,
     /// The component that counts each loop.
     components: FxHashMap<(u32, u32), u32>,
 }
@@ -86,9 +91,11 @@ pub(super) fn loops(hir: &Hir, reachable: &Reachable) -> Vec<Extent> {
 impl Context<'_> {
     /// Makes room for what [`Output`] asks for.
     pub fn add_record(&mut self) {
+        self.add_budget();
         let ty = match self.options.output {
             Output::Colour => return,
             Output::Value(watched) => watched.ty(self.hir),
+            Output::Spent => Type::UINT,
             Output::Rounds(_) | Output::AllRounds => Type::vector(Scalar::Uint, 4),
         };
         if let Output::Rounds(first) = self.options.output {
@@ -96,19 +103,31 @@ impl Context<'_> {
             let keys = counted.map(|extent| (extent.first, extent.last));
             self.record.components = keys.zip(0..).collect();
         }
+        let variable = match (self.options.output, self.record.spent) {
+            (Output::Spent, Some(spent)) => spent,
+            _ => self.add_private("record", ty),
+        };
+        self.record.variable = Some((variable, ty));
+    }
+
+    /// Makes room to count the rounds of loops that are not known to end.
+    fn add_budget(&mut self) {
+        if self.options.round_budget.is_some() {
+            self.record.spent = Some(self.add_private("rounds", Type::UINT));
+        }
+    }
+
+    fn add_private(&mut self, name: &str, ty: Type) -> Handle<naga::GlobalVariable> {
         let variable = naga::GlobalVariable {
-            name: Some("record".to_owned()),
+            name: Some(name.to_owned()),
             space: AddressSpace::Private,
             binding: None,
             ty: self.ty(ty),
             init: None,
             memory_decorations: naga::MemoryDecorations::empty(),
         };
-        let variable = self
-            .module
-            .global_variables
-            .append(variable, Span::UNDEFINED);
-        self.record.variable = Some((variable, ty));
+        let variables = &mut self.module.global_variables;
+        variables.append(variable, Span::UNDEFINED)
     }
 }
 
@@ -140,6 +159,22 @@ impl Builder<'_, '_> {
         self.store(pointer, value);
     }
 
+    /// Ends a loop that is not known to end when the pixel's budget is used up.
+    pub fn spend_round(&mut self) {
+        let (Some(variable), Some(budget)) =
+            (self.context.record.spent, self.context.options.round_budget)
+        else {
+            return;
+        };
+        let pointer = self.global(variable);
+        let (before, one, budget) = (self.load(pointer), self.uint(1), self.uint(budget));
+        let binary = |op, left, right| Expression::Binary { op, left, right };
+        let is_spent = self.add(binary(naga::BinaryOperator::Greater, before, budget));
+        self.branch(is_spent, |b| b.push(naga::Statement::Break), |_| {});
+        let after = self.add(binary(naga::BinaryOperator::Add, before, one));
+        self.store(pointer, after);
+    }
+
     /// Counts a round of a loop, if it is one that is counted.
     pub fn record_round(&mut self, extent: Extent) {
         let Some((variable, _)) = self.recorded() else {
@@ -155,7 +190,7 @@ impl Builder<'_, '_> {
                 let whole = self.global(variable);
                 self.part(whole, component)
             }
-            Output::Colour | Output::Value(_) => return,
+            Output::Colour | Output::Value(_) | Output::Spent => return,
         };
         let mut one = self.uint(1);
         if self.context.options.output == Output::AllRounds {

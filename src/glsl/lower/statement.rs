@@ -167,6 +167,9 @@ impl<'a> Builder<'_, 'a> {
         {
             self.branch(condition, |_| {}, |b| b.push(Statement::Break));
         }
+        if !source.is_finite {
+            self.spend_round();
+        }
         self.record_round(extent);
         let outside = counter.map(|(local, range)| (local, self.ranges.set(local, Some(range))));
         if !self.scope(&source.body) {

@@ -72,6 +72,7 @@ fn lowered_with(hir: &Hir, precision: Precision, arithmetic: Arithmetic) -> (Low
         precision,
         arithmetic,
         output: Output::Colour,
+        round_budget: None,
         interface: &interface,
         double_functions: &double_functions,
     };

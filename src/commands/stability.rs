@@ -1,0 +1,81 @@
+use std::process::ExitCode;
+
+use vitrine::measure::stability::{Verdict, cases, examine};
+use vitrine::render::Gpu;
+use vitrine::report;
+
+use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
+use super::progress::Progress;
+use super::{SCENE_HAS_PROBLEMS, options, print, source};
+use crate::cli::{Format, StabilityArgs};
+
+pub fn stability(args: StabilityArgs) -> anyhow::Result<ExitCode> {
+    let source = source(&args.scene)?;
+    let options = options(args.define.clone());
+    if !can_run(&source, &options)? {
+        return Ok(SCENE_HAS_PROBLEMS.into());
+    }
+    let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;
+    if !gpu.has_float64() {
+        report::tell("the adapter has no 64-bit floats, so that rounding is not looked at");
+    }
+    let watchdog = watchdog(&args.gpu);
+    let cases = cases(&args.vary);
+    let mut progress = Progress::new(cases.len() as u32, "cases");
+    let verdicts = examine(&gpu, &source, &options, &cases, &mut |done, next| {
+        watchdog.begin();
+        progress.say(next);
+        progress.at(done as u32);
+    });
+    watchdog.rest();
+    progress.end();
+    let verdicts = match verdicts {
+        Ok(verdicts) => verdicts,
+        Err(error) => return explain(error).map(Into::into),
+    };
+    match args.format {
+        Format::Human => print(table(&verdicts).as_bytes())?,
+        Format::Json => print(json(&verdicts)?.as_bytes())?,
+    }
+    let fails = |verdict: &&Verdict| verdict.required && !verdict.faults.is_empty();
+    Ok(match verdicts.iter().filter(fails).count() {
+        0 => ExitCode::SUCCESS,
+        _ => SCENE_HAS_PROBLEMS.into(),
+    })
+}
+
+fn table(verdicts: &[Verdict]) -> String {
+    let width = verdicts
+        .iter()
+        .map(|verdict| verdict.name.chars().count())
+        .max()
+        .unwrap_or(0);
+    let mut text = String::new();
+    for verdict in verdicts {
+        let word = match (verdict.faults.is_empty(), verdict.required) {
+            (true, _) => "holds",
+            (false, true) => "FAILS",
+            (false, false) => "breaks",
+        };
+        let rounding = verdict.rounding.map_or(String::new(), |share| {
+            format!("  rounding {:5.1} %", share * 100.0)
+        });
+        text += &format!("{:width$}  {word:6}{rounding}", verdict.name);
+        let faults: Vec<_> = verdict.faults.iter().map(ToString::to_string).collect();
+        if !faults.is_empty() {
+            text += &format!("  {}", faults.join("; "));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// One object a line.
+fn json(verdicts: &[Verdict]) -> anyhow::Result<String> {
+    let mut text = String::new();
+    for verdict in verdicts {
+        text += &serde_json::to_string(verdict)?;
+        text.push('\n');
+    }
+    Ok(text)
+}
