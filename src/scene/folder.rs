@@ -249,6 +249,7 @@ pub(super) fn embedded(path: &Path) -> Option<&'static str> {
     const FILES: &[(&str, &str)] = &table![
         "template/scene.toml",
         "common/settings.glsl",
+        "common/hash.glsl",
         "common/noise.glsl",
         "common/fbm.glsl",
         "common/levels.glsl",

@@ -10,6 +10,7 @@ use std::collections::{BTreeSet, HashSet};
 
 pub mod bindings;
 mod guard;
+mod plain;
 mod preamble;
 mod probe;
 mod program;
@@ -19,6 +20,7 @@ mod write;
 pub use crate::glsl::Arithmetic;
 #[cfg(feature = "gpu")]
 pub(crate) use guard::caught;
+use plain::Plain;
 pub use probe::{Output, Probe};
 pub use program::{ChannelUse, Functions, Guards, Program, Tables, UniformBlock};
 pub use write::{Language, write};
@@ -120,7 +122,8 @@ fn translate_text(
         .iter()
         .map(|&source| &*files.get(source).text)
         .collect();
-    let text = preamble::preamble(pass, &texts);
+    let plain = Plain::recognise(pass, &texts);
+    let text = preamble::preamble(pass, &texts, plain.as_ref());
     let preamble = files.add("preamble", text);
     let functions = (options.precision == Precision::Double)
         .then(|| files.add("functions of 64 bits", double::TEXT));
@@ -129,6 +132,7 @@ fn translate_text(
         preamble,
         functions,
         pass,
+        plain,
     };
     text.translate(options)
         .map_err(|found| text.in_authors_files(found))
@@ -140,10 +144,13 @@ struct Text<'a> {
     preamble: FileId,
     functions: Option<FileId>,
     pass: &'a Pass,
+    plain: Option<Plain>,
 }
 
 impl Text<'_> {
     fn translate(&self, options: &Options) -> Result<Program, Vec<Diagnostic>> {
+        // The site has no verdict on a plain fragment shader.
+        let strict = options.strict && self.plain.is_none();
         let mut units = vec![self.preamble];
         units.extend(&self.pass.sources);
         let preprocessed = preprocess(
@@ -152,7 +159,7 @@ impl Text<'_> {
             &preprocess::Options {
                 defines: &[("HW_PERFORMANCE", "1")],
                 overrides: &options.overrides,
-                strict: options.strict,
+                strict,
             },
             Names::default(),
         );
@@ -168,9 +175,12 @@ impl Text<'_> {
         );
         let host_tokens = functions.tokens.len();
         let mut tokens = preprocessed.tokens;
+        if let Some(plain) = &self.plain {
+            tokens = plain.drop_given(tokens, &functions.names, self.preamble);
+        }
         tokens.splice(0..0, functions.tokens);
         let tokens = &tokens;
-        let parsed = syntax::parse(tokens, functions.names, options.strict);
+        let parsed = syntax::parse(tokens, functions.names, strict);
         diagnostics.extend(parsed.diagnostics);
         if let Some(odd) = preprocessed.odd_character {
             // A character that no one sees is most likely to blame for what follows.
@@ -183,7 +193,7 @@ impl Text<'_> {
         fail_on_errors(&mut diagnostics)?;
         let mut ast = parsed.ast;
         let check_options = check::Options {
-            strict: options.strict,
+            strict,
             precision: options.precision,
             host_tokens,
         };
@@ -283,7 +293,10 @@ impl Text<'_> {
             Output::AllRounds => lower::Output::AllRounds,
             Output::Spent => lower::Output::Spent,
             Output::Probe(probe) => {
-                let (entry, _) = preamble::entry_point(self.pass.kind);
+                let entry = match &self.plain {
+                    Some(_) => "main",
+                    None => preamble::entry_point(self.pass.kind).0,
+                };
                 let watched = probe::find(hir, probe, entry)
                     .map_err(|problem| vec![problem.at(self.end())])?;
                 if let lower::Watched::Local(function, local) = watched {
@@ -341,7 +354,11 @@ impl Text<'_> {
     fn in_authors_files(&self, found: Vec<Diagnostic>) -> Vec<Diagnostic> {
         let is_foreign =
             |diagnostic: &Diagnostic| diagnostic.span.is_none_or(|span| !self.is_authors(&span));
-        let (foreign, mut own): (Vec<_>, Vec<_>) = found.into_iter().partition(is_foreign);
+        let (mut foreign, mut own): (Vec<_>, Vec<_>) = found.into_iter().partition(is_foreign);
+        if let Some(plain) = &self.plain {
+            own.retain(|finding| plain.concerns(finding, true));
+            foreign.retain(|finding| plain.concerns(finding, false));
+        }
         for diagnostic in &mut own {
             if diagnostic.code == "redeclared" && self.written(diagnostic.span) == "main" {
                 let hint =

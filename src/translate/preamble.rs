@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::bindings::{self, Uniform};
+use super::plain::Plain;
 use crate::scene::{CHANNELS, Pass, PassKind, SamplerKind};
 
 /// What the site puts first. The precision of samplers is the site's too.
@@ -99,8 +100,11 @@ fn lines_before(kind: PassKind) -> usize {
 }
 
 /// The preamble of a pass, with no more of the site's declarations than the words in `texts` may need.
-pub(super) fn preamble(pass: &Pass, texts: &[&str]) -> String {
-    let mentions = |word: &str| texts.iter().any(|text| text.contains(word));
+/// A plain fragment shader brings its own `main`, and no line of the site's.
+pub(super) fn preamble(pass: &Pass, texts: &[&str], plain: Option<&Plain>) -> String {
+    let customs = plain.map(Plain::preamble).unwrap_or_default();
+    let all = texts.iter().copied().chain([&*customs]);
+    let mentions = |word: &str| all.clone().any(|text| text.contains(word));
     let has_clock = pass.kind != PassKind::Sound;
     let mut text = PRECISION.to_owned();
     for uniform in Uniform::ALL {
@@ -127,6 +131,9 @@ pub(super) fn preamble(pass: &Pass, texts: &[&str]) -> String {
             )
             .expect("strings take all text");
         }
+    }
+    if plain.is_some() {
+        return text + &customs;
     }
     text.push_str(match pass.kind {
         PassKind::Image if mentions("st_assert") => IMAGE_WITH_ASSERTIONS,

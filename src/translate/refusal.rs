@@ -14,13 +14,17 @@ pub(super) fn no_entry_point(kind: PassKind, text: &str) -> Diagnostic {
         "this looks like the text of a Sound tab; paste the Image tab".to_owned()
     } else if has("main") {
         format!(
-            "this looks like a plain fragment shader: ShaderToy code draws in `{header}` instead of \
-             `main` and `gl_FragColor`"
+            "ShaderToy code draws in `{header}`; a plain fragment shader draws in `void main()` and \
+             sets `gl_FragColor`"
         )
     } else if has(name) {
         format!("the function `{name}` must be `{header}`")
     } else {
-        format!("ShaderToy code begins in `{header}`")
+        let plain = match name {
+            "mainImage" => ", a plain fragment shader in `void main()`",
+            _ => "",
+        };
+        format!("ShaderToy code begins in `{header}`{plain}")
     };
     let code = match kind {
         PassKind::Image | PassKind::Buffer(_) => "no-main-image",

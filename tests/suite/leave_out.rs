@@ -107,12 +107,13 @@ fn sampling_needs_both() {
 }
 
 #[test]
-fn only_the_canyon_among_the_scenes_binds_a_texture() {
+fn only_scenes_that_read_a_texture_bind_one() {
     let Some(gpu) = gpu() else { return };
+    let with_texture = ["canyon", "derivatives", "haze", "mars", "texture_noise"];
     for (name, folder) in crate::support::scene_folders() {
         let session = open(gpu, &Source::Path(folder));
         let layout = session.renderer.layouts().next().expect("one pass");
-        let count = if name == "canyon" { 3 } else { 1 };
+        let count = if with_texture.contains(&&*name) { 3 } else { 1 };
         assert_eq!(layout.entries.len(), count, "{name}");
         // The seeds' code counts on `smoothstep` with reversed edges here and there.
         let mut warnings = session.warnings.diagnostics.iter();

@@ -45,6 +45,8 @@ mod interrupt;
 #[cfg(feature = "gpu")]
 mod leave_out;
 #[cfg(feature = "gpu")]
+mod lipschitz;
+#[cfg(feature = "gpu")]
 mod orientation;
 #[cfg(feature = "gpu")]
 mod outputs;

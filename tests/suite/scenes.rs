@@ -20,6 +20,15 @@ const TOLERANCE: Tolerance = Tolerance {
     share: 0.99,
 };
 
+/// The share of the pixels that must change in four seconds. The sky of `haze` is of one colour in its
+/// seed, and fills half the picture.
+fn least_movement(scene: &str) -> f64 {
+    match scene {
+        "haze" => 0.3,
+        _ => 0.5,
+    }
+}
+
 #[test]
 fn every_scene_draws_its_golden_picture_and_moves() {
     let Some(gpu) = gpu() else { return };
@@ -41,7 +50,7 @@ fn every_scene_draws_its_golden_picture_and_moves() {
             problems += &format!("{name}: the mean brightness is {mean:.0} of 255\n");
         }
         let moved = differing(&picture, &at(5.0));
-        if moved < picture.rgb.len() / 3 / 2 {
+        if (moved as f64) < least_movement(&name) * (picture.rgb.len() / 3) as f64 {
             problems += &format!("{name}: only {moved} pixels changed in four seconds\n");
         }
     }

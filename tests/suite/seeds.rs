@@ -1,20 +1,57 @@
 //! The scenes hold the code that they grew from, token for token, and shared functions stand once.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
 use vitrine::scene::{self, Source};
 
 use crate::support::repository;
 
-/// Scene and the seed that stands in it as one run of tokens.
-const VARIANTS: [(&str, &str); 6] = [
+/// Scene and a seed that stands in it as one run of tokens.
+const VARIANTS: [(&str, &str); 43] = [
     ("refinement", "bisect"),
     ("relaxation", "relax"),
     ("sign_flip", "sign_flip"),
     ("canyon", "canyon"),
     ("erosion", "erosion"),
     ("clouds", "clouds"),
+    ("dither", "dither"),
+    ("tiers", "levels"),
+    ("objects", "grid"),
+    ("sphere", "sphere"),
+    ("sphere", "sphere_march"),
+    ("sphere", "sdf_normal"),
+    ("sphere", "diffuse"),
+    ("union", "union"),
+    ("union", "smoothmin"),
+    ("blobs", "smoothmin"),
+    ("motion", "moved"),
+    ("motion", "rotated"),
+    ("motion", "scaled"),
+    ("repetition", "repeat"),
+    ("menger", "box_and_cross"),
+    ("perlin", "perlin"),
+    ("derivatives", "noise_texture"),
+    ("derivatives", "derivatives"),
+    ("haze", "noise_texture"),
+    ("haze", "derivatives"),
+    ("haze", "fog"),
+    ("haze", "haze"),
+    ("mars", "noise_texture"),
+    ("mars", "derivatives"),
+    ("even_march", "cast_even"),
+    ("even_march", "shade_even"),
+    ("even_march", "normalised_fbm"),
+    ("even_march", "fbm_terrain"),
+    ("even_march", "blend"),
+    ("even_march", "sun"),
+    ("growing_march", "cast_growing"),
+    ("growing_march", "normalised_fbm"),
+    ("growing_march", "fbm_terrain"),
+    ("growing_march", "blend"),
+    ("growing_march", "sun"),
+    ("lipschitz", "heightfield_distance"),
+    ("lipschitz", "sphere_distance"),
 ];
 
 /// Shorter bodies, a plain call say, are not worth sharing.
@@ -51,6 +88,16 @@ fn every_variant_holds_its_seed_in_one_piece() {
             "shadertoy/{folder} does not hold tests/seeds/{seed_name}.glsl"
         );
     }
+}
+
+#[test]
+fn every_seed_stands_in_a_scene() {
+    let used = VARIANTS.iter().map(|(_, seed)| *seed).chain(["template"]);
+    let used: BTreeSet<String> = used.map(|seed| format!("{seed}.glsl")).collect();
+    let seeds = fs::read_dir(repository("tests/seeds")).expect("the seeds");
+    let seeds = seeds.map(|entry| entry.expect("an entry").file_name());
+    let seeds = seeds.map(|name| name.to_string_lossy().into_owned());
+    assert_eq!(seeds.collect::<BTreeSet<_>>(), used);
 }
 
 #[test]

@@ -1,0 +1,4 @@
+// ---- A ball as a distance field ----
+float sdSphere(vec3 p, float radius){
+    return length(p) - radius;
+}

@@ -1,0 +1,1 @@
+float diffuse = max(dot(normal, lightDirection), 0.0);

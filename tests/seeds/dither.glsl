@@ -1,0 +1,1 @@
+t += hash(fragCoord) * step_size

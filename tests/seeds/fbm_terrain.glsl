@@ -1,0 +1,3 @@
+float terrain(float x, float z) {
+return fbm(vec2(x, z), 2);
+}

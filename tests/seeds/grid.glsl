@@ -1,0 +1,1 @@
+floor(p.xz/gridSize)

@@ -1,0 +1,3 @@
+function distHeightfield(vec3 pos) {
+return h(pos.xz) + pos.y;
+}

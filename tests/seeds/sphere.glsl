@@ -1,0 +1,3 @@
+float sdSphere(vec3 p, float radius){
+return length(p) - radius;
+}

@@ -1,0 +1,3 @@
+function distSphere(vec3 pos, float r) {
+return mag(pos) - r;
+}

@@ -1,0 +1,25 @@
+#define MAX_STEPS 100
+#define MAX_DIST 100.0
+#define SURFACE_DIST 0.01
+
+float scene(vec3 p) {
+float distance = sdSphere(p, 1.0);
+return distance;
+}
+
+float raymarch(vec3 ro, vec3 rd) {
+float dO = 0.0;
+vec3 color = vec3(0.0);
+
+for(int i = 0; i < MAX_STEPS; i++) {
+vec3 p = ro + rd * dO;
+
+float dS = scene(p);
+dO += dS;
+
+if(dO > MAX_DIST || dS < SURFACE_DIST) {
+break;
+}
+}
+return dO;
+}
