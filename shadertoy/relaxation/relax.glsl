@@ -2,7 +2,7 @@
 // Not in the seed: its march gives up at t = 400, which is tuned for a world of
 // smaller hills. It marches a model of the terrain at 1 : RELAX_SCALE, so that its
 // 400 units reach over RELAX_SCALE * 400 units of ours.
-const float RELAX_SCALE = 25.0;
+#define RELAX_SCALE 25.0
 float terrainModel(in vec2 p) {
     return terrainM(p * RELAX_SCALE) / RELAX_SCALE;
 }

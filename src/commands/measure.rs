@@ -207,6 +207,7 @@ fn one_off(args: &MeasureArgs) -> anyhow::Result<Study> {
             name: "variation".to_owned(),
             scene: None,
             define: BTreeMap::new(),
+            reference: None,
             vary: args
                 .vary
                 .iter()
@@ -219,9 +220,11 @@ fn one_off(args: &MeasureArgs) -> anyhow::Result<Study> {
 /// A number for all that the study reads; `None` if a scene is broken, which has been said then.
 fn texts(study: &Study, folder: &Path) -> anyhow::Result<Option<u64>> {
     let mut hash = Fnv::default();
-    let [reference, refined] = study.references(folder);
     let mut all = study.variants(folder);
-    all.extend([reference, refined]);
+    for (reference, refined) in study.references(folder) {
+        all.push(reference);
+        all.extend(refined);
+    }
     for variant in &all {
         let source = Source::Path(variant.scene.clone());
         let scene = match super::loaded(&source)? {

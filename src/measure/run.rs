@@ -69,7 +69,7 @@ impl Errors {
 pub struct Findings {
     /// Every variant at every moment.
     pub cells: Vec<Cell>,
-    /// How far the reference is from itself refined, at each moment.
+    /// How far each reference that is refined is from itself refined, at each moment.
     pub reference: Vec<Errors>,
     /// How many pixels a picture has.
     pub pixels: u32,
@@ -135,21 +135,19 @@ pub fn run(study: &Study, around: Surroundings<'_>) -> Result<Findings, OpenErro
             .map(|&time| Clock::fixed(60.0).at_time(time, study.size))
             .collect(),
         done: 0,
-        of: variants.len() + 2 + study.repeats as usize,
+        of: variants.len() + references.len() + study.repeats as usize,
         around,
     };
-    let precision = match study.reference.precision {
-        ReferencePrecision::Double => Precision::Double,
-        ReferencePrecision::Single => Precision::Single,
-    };
-    let [reference, refined] = references;
-    run.step(&reference.name());
-    let truth = run.views(&reference, precision)?;
-    run.step(&refined.name());
-    let reference = match study.reference.refined.is_empty() {
-        true => Vec::new(),
-        false => run.views(&refined, precision)?.errors(&truth, study),
-    };
+    let (mut truths, mut reference) = (Vec::new(), Vec::new());
+    for (variant, refined) in &references {
+        run.step(&variant.name());
+        let truth = run.views(variant, run.reference_precision())?;
+        if let Some(refined) = refined {
+            let refined = run.views(refined, run.reference_precision())?;
+            reference.extend(refined.errors(&truth, study));
+        }
+        truths.push(truth);
+    }
     let mut cells = Vec::new();
     for variant in &variants {
         run.step(&variant.name());
@@ -160,7 +158,7 @@ pub fn run(study: &Study, around: Surroundings<'_>) -> Result<Findings, OpenErro
         match known {
             Some(known) => cells.extend(known),
             None => {
-                let found = run.cells(variant, &truth)?;
+                let found = run.cells(variant, &truths[variant.reference])?;
                 found.iter().for_each(|cell| (run.around.keep)(cell));
                 cells.extend(found);
             }
@@ -179,7 +177,10 @@ pub fn run(study: &Study, around: Surroundings<'_>) -> Result<Findings, OpenErro
         worst.push(Worst {
             name: variants[variant].name(),
             time: study.times[at],
-            difference: compare::difference(&image, &truth.pictures[at]),
+            difference: compare::difference(
+                &image,
+                &truths[variants[variant].reference].pictures[at],
+            ),
         });
     }
     Ok(Findings {
@@ -224,6 +225,13 @@ impl Run<'_, '_> {
         let (done, of) = (self.done, self.of);
         (self.around.progress)(Progress { done, of, next });
         self.done += 1;
+    }
+
+    fn reference_precision(&self) -> Precision {
+        match self.study.reference.precision {
+            ReferencePrecision::Double => Precision::Double,
+            ReferencePrecision::Single => Precision::Single,
+        }
     }
 
     fn open(

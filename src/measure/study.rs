@@ -49,7 +49,7 @@ pub struct Study {
 pub type Defines = BTreeMap<String, Value>;
 
 /// What is taken for true.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Reference {
     /// Its scene, if it is another.
@@ -88,6 +88,8 @@ pub struct Family {
     /// Macros of all its variants.
     #[serde(default)]
     pub define: Defines,
+    /// What its variants are held against, if it is not what the study's others are.
+    pub reference: Option<Reference>,
     /// Macros with the values that they take in turn; of several, every combination.
     #[serde(default)]
     pub vary: BTreeMap<String, Vec<Value>>,
@@ -153,6 +155,9 @@ pub struct Variant {
     pub scene: PathBuf,
     /// Its macros.
     pub defines: Vec<(String, String)>,
+    /// What it is held against, by its number among [`Study::references`]; of no meaning for a
+    /// reference itself.
+    pub reference: usize,
 }
 
 impl Variant {
@@ -184,7 +189,10 @@ impl Study {
     /// All variants, in order, with scenes as paths from `folder`.
     pub fn variants(&self, folder: &Path) -> Vec<Variant> {
         let mut variants = Vec::new();
+        let references = self.distinct_references();
         for family in &self.families {
+            let own = family.reference.as_ref().unwrap_or(&self.reference);
+            let reference = references.iter().position(|known| *known == own);
             let scene = folder.join(family.scene.as_ref().unwrap_or(&self.scene));
             let mut labels: Vec<Vec<(&String, &Value)>> = vec![Vec::new()];
             for (name, values) in &family.vary {
@@ -205,29 +213,48 @@ impl Study {
                     label: text.join(" "),
                     scene: scene.clone(),
                     defines: merged([&self.define, &family.define], own),
+                    reference: reference.unwrap_or(0),
                 }
             }));
         }
         variants
     }
 
-    /// The reference, and that refined.
-    pub fn references(&self, folder: &Path) -> [Variant; 2] {
-        let reference = &self.reference;
-        let scene = folder.join(reference.scene.as_ref().unwrap_or(&self.scene));
-        [
-            ("reference", None),
-            ("refined reference", Some(&reference.refined)),
-        ]
-        .map(|(family, refined)| Variant {
-            family: family.to_owned(),
-            label: String::new(),
-            scene: scene.clone(),
-            defines: merged(
-                [&self.define, &reference.define],
-                refined.into_iter().flatten(),
-            ),
-        })
+    fn distinct_references(&self) -> Vec<&Reference> {
+        let mut distinct = vec![&self.reference];
+        for reference in self
+            .families
+            .iter()
+            .filter_map(|family| family.reference.as_ref())
+        {
+            if !distinct.contains(&reference) {
+                distinct.push(reference);
+            }
+        }
+        distinct
+    }
+
+    /// Every reference, with that refined if it is to be.
+    pub fn references(&self, folder: &Path) -> Vec<(Variant, Option<Variant>)> {
+        let references = self.distinct_references().into_iter();
+        references
+            .map(|reference| {
+                let scene = folder.join(reference.scene.as_ref().unwrap_or(&self.scene));
+                let of = |family: &str, refined: Option<&Defines>| Variant {
+                    family: family.to_owned(),
+                    label: String::new(),
+                    scene: scene.clone(),
+                    defines: merged(
+                        [&self.define, &reference.define],
+                        refined.into_iter().flatten(),
+                    ),
+                    reference: 0,
+                };
+                let refined = Some(&reference.refined).filter(|refined| !refined.is_empty());
+                let refined = refined.map(|refined| of("refined reference", Some(refined)));
+                (of("reference", None), refined)
+            })
+            .collect()
     }
 }
 
@@ -264,6 +291,7 @@ vary = { STEP_FACTOR = [0.1, 1.0], MAX_STEPS = ["80", 300] }
 name = "other"
 scene = "../relaxation"
 define = { TERRAIN_OCTAVES = 9 }
+reference = { scene = "../canyon" }
 "#;
 
     #[test]
@@ -292,9 +320,14 @@ define = { TERRAIN_OCTAVES = 9 }
         );
         assert_eq!(variants[4].defines, [pair("TERRAIN_OCTAVES", "9")]);
         assert_eq!(variants[4].scene, Path::new("studies/../relaxation"));
-        let [reference, refined] = study.references(Path::new(""));
-        assert_eq!(reference.defines[0], pair("STEP_FACTOR", "0.02"));
+        let references = study.references(Path::new(""));
+        let [(first, Some(refined)), (other, None)] = references.as_slice() else {
+            panic!("{references:?}");
+        };
+        assert_eq!(first.defines[0], pair("STEP_FACTOR", "0.02"));
         assert_eq!(refined.defines[0], pair("STEP_FACTOR", "0.01"));
+        assert_eq!(other.scene, Path::new("../canyon"));
+        assert_eq!((variants[0].reference, variants[4].reference), (0, 1));
     }
 
     #[test]
