@@ -71,7 +71,9 @@ struct Given {
 impl Plain {
     /// Recognises one by its `main` and by the absence of `mainImage`.
     pub(super) fn recognise(pass: &Pass, texts: &[&str]) -> Option<Self> {
-        if !matches!(pass.kind, PassKind::Image | PassKind::Buffer(_)) {
+        let has_main_image = matches!(pass.kind, PassKind::Image | PassKind::Buffer(_));
+        // Most texts have no `main`, and are not looked at any closer.
+        if !has_main_image || !texts.iter().any(|text| has_main(text)) {
             return None;
         }
         let text = texts.join("\n");
@@ -171,17 +173,26 @@ fn drop_declarators(
     if count(&is_given) == count(&is_comma) + 1 {
         statement.clear();
     }
-    while let Some(at) = statement.iter().position(&is_given) {
-        statement.remove(at);
-        // The comma behind it goes too, or the one before the last.
-        let near = [Some(at), at.checked_sub(1)].into_iter().flatten();
-        if let Some(comma) = near
-            .into_iter()
-            .find(|&at| statement.get(at).is_some_and(&is_comma))
-        {
-            statement.remove(comma);
+    let mut kept: Vec<Token> = Vec::with_capacity(statement.len());
+    let mut rest = statement.drain(..).peekable();
+    while let Some(token) = rest.next() {
+        if !is_given(&token) {
+            kept.push(token);
+        } else if rest.next_if(&is_comma).is_none() && kept.last().is_some_and(&is_comma) {
+            // The last has its comma before it.
+            kept.pop();
         }
     }
+    drop(rest);
+    *statement = kept;
+}
+
+/// Whether a text has the word `main`, perhaps in a comment.
+fn has_main(text: &str) -> bool {
+    text.match_indices("main").any(|(at, main)| {
+        let behind = text.as_bytes().get(at + main.len());
+        !behind.is_some_and(|&byte| byte.is_ascii_alphanumeric() || byte == b'_')
+    })
 }
 
 fn depth_change(token: &str) -> i32 {
@@ -213,17 +224,19 @@ impl<'a> Outline<'a> {
         let mut rest = text;
         while let Some(first) = rest.chars().next() {
             let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-            let end_of_line = rest.find('\n').unwrap_or(rest.len());
+            // Looked for only where it matters: a line may be a million characters long.
+            let end_of_line = || rest.find('\n').unwrap_or(rest.len());
             let length = if rest.starts_with("//") {
-                end_of_line
+                end_of_line()
             } else if rest.starts_with("/*") {
                 rest.find("*/").map_or(rest.len(), |end| end + 2)
             } else if first == '#' {
-                let mut words = rest[1..end_of_line].split(|c| !is_word(c));
+                let end = end_of_line();
+                let mut words = rest[1..end].split(|c| !is_word(c));
                 if words.by_ref().find(|word| !word.is_empty()) == Some("define") {
                     outline.macros.extend(words.next());
                 }
-                end_of_line
+                end
             } else {
                 let end = rest.find(|c| !is_word(c)).unwrap_or(rest.len());
                 end.max(first.len_utf8())

@@ -162,6 +162,13 @@ pub fn all() -> Vec<Text> {
         ("unknown characters", in_main(&"§ ".repeat(MANY))),
         ("unknown directives", "#nothing\n".repeat(MANY) + MAIN),
         ("a shader of 2.4 million bytes", large()),
+        (
+            "a plain fragment shader in a line of a million bytes",
+            format!(
+                "uniform float {}; void main() {{}}",
+                "uTime, ".repeat(140_000) + "other"
+            ),
+        ),
     ];
     let texts = texts.into_iter();
     texts.map(|(name, text)| Text { name, text }).collect()
