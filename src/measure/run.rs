@@ -22,6 +22,8 @@ pub struct Cell {
     pub label: String,
     /// Its macros.
     pub defines: Vec<(String, String)>,
+    /// Which of the study's references it is held against.
+    pub reference: usize,
     /// `iTime`.
     pub time: f64,
     /// Rounds of loops, a pixel's mean.
@@ -295,6 +297,7 @@ impl Run<'_, '_> {
                 family: variant.family.clone(),
                 label: variant.label.clone(),
                 defines: variant.defines.clone(),
+                reference: variant.reference,
                 time: study.times[at],
                 rounds: counts.sum::<f64>() / f64::from(study.size.element_product()),
                 total: total[at],

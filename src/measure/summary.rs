@@ -11,6 +11,8 @@ pub struct Row {
     pub family: String,
     /// What tells it apart there.
     pub label: String,
+    /// Which of the study's references it is held against.
+    pub reference: usize,
     /// Milliseconds a frame: the mean over the moments of the median of the repetitions.
     pub milliseconds: Option<f64>,
     /// How far the repetitions lie apart, relatively: the largest of (highest − lowest) / median.
@@ -33,7 +35,7 @@ pub struct Row {
     pub rmse: f64,
     /// The share of pixels that are off by more than 8/255, the largest of any moment.
     pub above_8: f64,
-    /// Whether no other variant is both faster and nearer.
+    /// Whether no other variant that is held against the same reference is both faster and nearer.
     pub is_best: bool,
 }
 
@@ -57,14 +59,15 @@ pub fn rows(findings: &Findings) -> Vec<Row> {
         .collect();
     let points: Vec<_> = rows
         .iter()
-        .map(|row| (row.milliseconds, row.error))
+        .map(|row| (row.reference, row.milliseconds, row.error))
         .collect();
     for row in &mut rows {
         row.is_best = row.milliseconds.is_some_and(|own| {
-            !points.iter().any(|&(other, error)| {
-                other.is_some_and(|other| {
-                    (other < own && error <= row.error) || (other <= own && error < row.error)
-                })
+            !points.iter().any(|&(reference, other, error)| {
+                reference == row.reference
+                    && other.is_some_and(|other| {
+                        (other < own && error <= row.error) || (other <= own && error < row.error)
+                    })
             })
         });
     }
@@ -83,6 +86,7 @@ fn row(cells: &[Cell], pixels: u32) -> Row {
     Row {
         family: cells[0].family.clone(),
         label: cells[0].label.clone(),
+        reference: cells[0].reference,
         milliseconds: seconds.map(|seconds| seconds * 1e3),
         spread: largest(&|cell| {
             let (first, last) = (cell.seconds.first()?, cell.seconds.last()?);
@@ -103,11 +107,12 @@ fn row(cells: &[Cell], pixels: u32) -> Row {
     }
 }
 
-/// The cheapest variant whose error is no more than this: by time, or by rounds of loops where the
+/// The cheapest variant whose error is no more than this, of those that are held against the study's own
+/// reference: by time, or by rounds of loops where the
 /// device cannot tell its time.
 pub fn cheapest(rows: &[Row], goal: f64) -> Option<&Row> {
     let cost = |row: &&Row| row.milliseconds.unwrap_or(row.rounds);
     rows.iter()
-        .filter(|row| row.error <= goal)
+        .filter(|row| row.reference == 0 && row.error <= goal)
         .min_by(|a, b| cost(a).total_cmp(&cost(b)))
 }

@@ -47,6 +47,8 @@ mod leave_out;
 #[cfg(feature = "gpu")]
 mod lipschitz;
 #[cfg(feature = "gpu")]
+mod measure;
+#[cfg(feature = "gpu")]
 mod orientation;
 #[cfg(feature = "gpu")]
 mod outputs;

@@ -1,0 +1,236 @@
+//! `vitrine measure`: what it says of scenes whose truth is known in closed form.
+
+use std::fs;
+use std::path::Path;
+
+use vitrine::measure::compare::quantile;
+use vitrine::measure::run::{Cell, Findings, Surroundings, run};
+use vitrine::measure::study::{Study, Variant};
+use vitrine::measure::summary::{cheapest, rows};
+use vitrine::render::Gpu;
+
+use crate::support::{Folder, gpu, vitrine};
+
+/// A ray for each pixel, down onto a plane one unit below the eye. WAY 0 meets it by formula, WAY 1 in
+/// even steps, and takes the middle of the last one.
+const PLANE: &str = "
+#define WAY 0
+#define STEP 0.1
+#define SHIFT 0.0
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    vec2 uv = fragCoord / iResolution.xy;
+    vec3 rd = normalize(vec3(uv, -1.));
+    float t = -1. / rd.z;
+#if WAY == 1
+    t = 0.;
+    for (int i = 0; i < 4000; i++) {
+        if (1. + t * rd.z < 0.) break;
+        t += STEP;
+    }
+    t -= .5 * STEP;
+#elif WAY == 2
+    if (fragCoord.x < 8.) t = -1.;
+#endif
+    fragColor = vec4(vec3(.25 + SHIFT), 1.);
+}";
+
+const STUDY: &str = r#"
+title = "A plane"
+scene = "plane.glsl"
+size = "64x32"
+probe = "t"
+repeats = 3
+goals = [0.02]
+[reference]
+define = { WAY = 0 }
+refined = { SHIFT = 0.0 }
+[[family]]
+name = "exact"
+vary = { SHIFT = [0.0, 0.125] }
+[[family]]
+name = "steps"
+define = { WAY = 1 }
+vary = { STEP = [0.4, 0.1, 0.025] }
+[[family]]
+name = "misses"
+define = { WAY = 2 }
+"#;
+
+fn folder() -> Folder {
+    let folder = Folder::new();
+    folder.write("plane.glsl", PLANE);
+    folder.write("study.toml", STUDY);
+    folder
+}
+
+fn findings(
+    gpu: &Gpu,
+    folder: &Path,
+    known: &dyn Fn(&Variant, f64) -> Option<Cell>,
+) -> (Findings, usize) {
+    let study = Study::parse(STUDY).expect("a study");
+    let mut kept = 0;
+    let around = Surroundings {
+        gpu,
+        folder,
+        progress: &mut |_| {},
+        known,
+        keep: &mut |_| kept += 1,
+    };
+    (run(&study, around).expect("good scenes"), kept)
+}
+
+/// The relative errors of steps, sorted.
+fn expected(step: f64) -> Vec<f64> {
+    let mut errors = Vec::new();
+    for y in 0..32 {
+        for x in 0..64 {
+            let (u, v) = ((f64::from(x) + 0.5) / 64.0, (f64::from(y) + 0.5) / 32.0);
+            let exact = (u * u + v * v + 1.0).sqrt();
+            let stepped = (exact / step).ceil() * step - 0.5 * step;
+            errors.push((stepped - exact).abs() / exact);
+        }
+    }
+    errors.sort_by(f64::total_cmp);
+    errors
+}
+
+#[track_caller]
+fn assert_three_digits(got: f64, want: f64) {
+    assert!(
+        (got - want).abs() <= 1e-3 * want.abs(),
+        "{got} instead of {want}"
+    );
+}
+
+#[test]
+fn errors_are_those_of_the_formula() {
+    let Some(gpu) = gpu() else { return };
+    if !gpu.has_float64() {
+        return eprintln!("skipped: no 64-bit floats");
+    }
+    let folder = folder();
+    let (found, kept) = findings(gpu, folder.path(), &|_, _| None);
+    assert_eq!(kept, found.cells.len());
+    let [exact, shifted, coarse, middle, fine, misses] = found.cells.as_slice() else {
+        panic!("{:?}", found.cells);
+    };
+    let probe = |cell: &Cell| cell.total.probe.expect("a probe");
+    assert!(probe(exact).max < 1e-6 && exact.total.picture.rmse == 0.0);
+    assert_three_digits(shifted.total.picture.rmse, 0.125);
+    assert_three_digits(shifted.total.picture.psnr, -20.0 * 0.125_f64.log10());
+    assert_eq!(shifted.total.picture.above_8, 1.0);
+    for (cell, step) in [(coarse, 0.4), (middle, 0.1), (fine, 0.025)] {
+        let errors = expected(step);
+        let method = cell
+            .discretisation
+            .expect("64 bits")
+            .probe
+            .expect("a probe");
+        assert_three_digits(method.median, quantile(&errors, 0.5));
+        assert_three_digits(method.p99, quantile(&errors, 0.99));
+        assert_three_digits(
+            method.mean,
+            errors.iter().sum::<f64>() / errors.len() as f64,
+        );
+        // The two parts are within rounding of the whole.
+        let rounding = cell.rounding.expect("64 bits").probe.expect("a probe");
+        assert!((method.mean - probe(cell).mean).abs() <= rounding.mean);
+        let rounds = expected_rounds(step);
+        assert!(
+            (cell.rounds - rounds).abs() < 0.05,
+            "{} rounds, not {rounds}",
+            cell.rounds
+        );
+    }
+    assert_eq!(probe(misses).disagreements, 8 * 32);
+    assert_eq!(found.reference[0].main(), 0.0);
+    let rows = rows(&found);
+    let cheapest = |goal| cheapest(&rows, goal).map(|row| row.family.as_str());
+    assert_eq!(cheapest(1e-6), Some("exact"));
+    assert_eq!(cheapest(-1.0), None);
+    // What was found once is found again, and what is known is not looked for.
+    let (again, kept) = findings(gpu, folder.path(), &|variant, time| {
+        let mut known = found.cells.iter();
+        known
+            .find(|cell| {
+                cell.family == variant.family && cell.label == variant.label && cell.time == time
+            })
+            .cloned()
+    });
+    assert_eq!(kept, 0);
+    let (fresh, _) = findings(gpu, folder.path(), &|_, _| None);
+    for (a, b) in again.cells.iter().zip(&fresh.cells) {
+        assert_eq!(
+            (a.total, a.discretisation, a.rounding, a.rounds),
+            (b.total, b.discretisation, b.rounding, b.rounds)
+        );
+    }
+}
+
+/// The mean number of steps: the round that finds itself below the plane counts too.
+fn expected_rounds(step: f64) -> f64 {
+    let mut rounds = 0.0;
+    for y in 0..32 {
+        for x in 0..64 {
+            let (u, v) = ((f64::from(x) + 0.5) / 64.0, (f64::from(y) + 0.5) / 32.0);
+            rounds += ((u * u + v * v + 1.0).sqrt() / step).ceil() + 1.0;
+        }
+    }
+    rounds / (64.0 * 32.0)
+}
+
+#[test]
+fn the_command_writes_a_report_and_goes_on_where_it_was() {
+    let Some(gpu) = gpu() else { return };
+    if !gpu.has_float64() {
+        return eprintln!("skipped: no 64-bit floats");
+    }
+    let folder = folder();
+    let out = folder.path().join("report");
+    let measure = || {
+        let study = folder.path().join("study.toml");
+        let outcome = vitrine("measure").arg(study).arg("-o").arg(&out).run();
+        assert_eq!(outcome.code, Some(0), "{}", outcome.stderr);
+        outcome.stderr
+    };
+    assert!(measure().contains("6 cells in"));
+    let report = fs::read_to_string(out.join("report.md")).expect("a report");
+    assert!(
+        report.contains("# A plane") && report.contains("steps STEP=0.025"),
+        "{report}"
+    );
+    assert!(
+        report.contains("The cheapest with an error of at most 0.020"),
+        "{report}"
+    );
+    for file in [
+        "report.csv",
+        "report.json",
+        "error-time.svg",
+        "error-rounds.svg",
+        "worst-1.png",
+    ] {
+        assert!(out.join(file).is_file(), "{file}");
+    }
+    // A run that was ended in the middle of a line.
+    let kept = fs::read_to_string(out.join("cells.jsonl")).expect("cells");
+    let third = kept.match_indices('\n').nth(2).expect("three lines").0;
+    fs::write(out.join("cells.jsonl"), &kept[..third + 40]).expect("a file");
+    let said = measure();
+    assert!(said.contains("3 of them known from before"), "{said}");
+}
+
+#[test]
+fn bad_studies_are_named() {
+    let folder = folder();
+    let said = |name: &str, text: &str| {
+        folder.write(name, text);
+        let outcome = vitrine("measure").arg(folder.path().join(name)).run();
+        assert_eq!(outcome.code, Some(2), "{text}");
+        outcome.stderr
+    };
+    assert!(said("a.toml", "title = 3").contains("a.toml"));
+    assert!(said("a.toml", &STUDY.replace("[[family]]", "[[famly]]")).contains("famly"));
+    assert!(said("a.glsl", PLANE).contains("is no study"));
+}
