@@ -6,10 +6,11 @@ use naga::{Expression, ImageQuery, MathFunction, SampleLevel, ScalarKind};
 use super::call::Sampler;
 use super::expression::Typed;
 use super::function::{Builder, H};
+use crate::glsl::Precision;
 use crate::glsl::arena::Id;
 use crate::glsl::builtins::Builtin;
 use crate::glsl::hir::{Expr, ExprKind, Value};
-use crate::glsl::types::{Shape, Type};
+use crate::glsl::types::{Scalar, Shape, Type};
 
 use Builtin as B;
 
@@ -126,7 +127,7 @@ impl Builder<'_, '_> {
             sample: None,
             level: Some(level),
         });
-        self.widen(texel)
+        self.widen_texel(texel)
     }
 
     fn sample(
@@ -171,7 +172,7 @@ impl Builder<'_, '_> {
             depth_ref: None,
             clamp_to_edge: false,
         });
-        self.widen(texel)
+        self.widen_texel(texel)
     }
 
     /// The coordinates proper, and the layer.
@@ -215,5 +216,19 @@ impl Builder<'_, '_> {
             })
             .collect();
         Some(self.compose(ty, components))
+    }
+
+    /// A texel from 32 bits, whatever the precision. It goes component by component: a driver was seen to
+    /// make anything of the conversion of a whole texel.
+    fn widen_texel(&mut self, texel: H) -> H {
+        if self.context.options.precision == Precision::Single {
+            return texel;
+        }
+        let components = (0..4).map(|index| {
+            let component = self.part(texel, index);
+            self.widen(component)
+        });
+        let components = components.collect();
+        self.compose(Type::vector(Scalar::Float, 4), components)
     }
 }
