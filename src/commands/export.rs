@@ -28,7 +28,7 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     let source = source(&args.scene)?;
     let mut options = options(args.define.clone());
     if args.precision == Precision::F64 {
-        options.precision = vitrine::glsl::Precision::Double;
+        options.precision = vitrine::translate::Precision::Double;
     }
     let wanted = wanted(&args, &job)?;
     if let ([probe], false) = (wanted.probes.as_slice(), job.out.is_exr()) {

@@ -7,11 +7,10 @@ use serde::{Deserialize, Serialize};
 use super::compare::{self, PictureError, ProbeError};
 use super::study::{ReferencePrecision, Study, Variant};
 use crate::frame::{Clock, FloatImage, FrameInput};
-use crate::glsl::Precision;
 use crate::render::Gpu;
 use crate::scene::Source;
 use crate::session::{Drawn, OpenError, Subject};
-use crate::translate::{Options, Output};
+use crate::translate::{Options, Output, Precision};
 
 /// What is known of a variant at one moment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -7,11 +7,10 @@ use serde::Serialize;
 
 use super::compare;
 use crate::frame::{Clock, FloatImage, FrameInput};
-use crate::glsl::Precision;
 use crate::render::Gpu;
 use crate::scene::Source;
 use crate::session::{OpenError, Subject};
-use crate::translate::{Options, Output};
+use crate::translate::{Options, Output, Precision};
 
 /// The size of pictures where the size itself is not what varies.
 pub const SIZE: UVec2 = UVec2::new(96, 54);

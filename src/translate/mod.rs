@@ -17,7 +17,7 @@ mod program;
 mod refusal;
 mod write;
 
-pub use crate::glsl::Arithmetic;
+pub use crate::glsl::{Arithmetic, Precision};
 #[cfg(feature = "gpu")]
 pub(crate) use guard::caught;
 use plain::Plain;
@@ -31,7 +31,7 @@ use crate::glsl::names::{Name, Names};
 use crate::glsl::places::Places;
 use crate::glsl::preprocess::{self, preprocess};
 use crate::glsl::prune::Reachable;
-use crate::glsl::{Precision, double, finite, hir, syntax};
+use crate::glsl::{double, finite, hir, syntax};
 use crate::scene::{CHANNELS, Pass, Scene};
 use crate::source::{Diagnostic, FileId, Report, Severity, SourceMap, Span};
 
