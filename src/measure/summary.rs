@@ -107,12 +107,14 @@ fn row(cells: &[Cell], pixels: u32) -> Row {
     }
 }
 
-/// The cheapest variant whose error is no more than this, of those that are held against the study's own
+/// The cheapest variant whose error, and whose share of pixels that hit what the reference misses or the
+/// other way round, are no more than this, of those that are held against the study's own
 /// reference: by time, or by rounds of loops where the
 /// device cannot tell its time.
 pub fn cheapest(rows: &[Row], goal: f64) -> Option<&Row> {
     let cost = |row: &&Row| row.milliseconds.unwrap_or(row.rounds);
     rows.iter()
         .filter(|row| row.reference == 0 && row.error <= goal)
+        .filter(|row| row.disagreements.unwrap_or(0.0) <= goal)
         .min_by(|a, b| cost(a).total_cmp(&cost(b)))
 }
