@@ -126,11 +126,7 @@ fn export_layered(
     for work in &layers.loops {
         let place = match work.place {
             None => "the host's text".to_owned(),
-            Some(span) => {
-                let file = files.get(span.file);
-                let at = file.location(span.start);
-                format!("{}:{}:{}", file.name, at.line, at.column)
-            }
+            Some(span) => files.place(span),
         };
         report::tell(format_args!(
             "{place}: {:.0} rounds, {:.1} a pixel, {:.0} at most",

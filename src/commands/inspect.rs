@@ -127,12 +127,7 @@ fn findings<'a>(scene: &'a Scene, pass: &'a Pass, program: &'a Program) -> Findi
 }
 
 fn places(scene: &Scene, spans: &[Span]) -> Vec<String> {
-    let place = |span: &Span| {
-        let file = scene.files.get(span.file);
-        let at = file.location(span.start);
-        format!("{}:{}:{}", file.name, at.line, at.column)
-    };
-    spans.iter().map(place).collect()
+    spans.iter().map(|&span| scene.files.place(span)).collect()
 }
 
 fn channel(index: usize, usage: ChannelUse, bound: Option<&Channel>) -> ChannelFindings<'_> {

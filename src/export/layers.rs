@@ -112,12 +112,12 @@ impl Layers {
         }
         for (name, subject) in &mut self.probes {
             let image = subject.draw(gpu, input, waiting)?.image;
-            // A scalar comes with zeros behind it, in every pixel.
-            if image.rgba.iter().all(|pixel| pixel[1..] == [0.0, 0.0, 1.0]) {
+            if subject.components() == 1 {
                 channels.push((name.clone(), component(&image, 0)));
                 continue;
             }
-            for (i, part) in ["X", "Y", "Z", "W"].into_iter().enumerate() {
+            let parts = ["X", "Y", "Z", "W"].into_iter().enumerate();
+            for (i, part) in parts.take(subject.components()) {
                 channels.push((format!("{name}.{part}"), component(&image, i)));
             }
         }

@@ -122,6 +122,8 @@ pub struct Surroundings<'a> {
 struct Views {
     pictures: Vec<FloatImage>,
     probes: Vec<FloatImage>,
+    /// How many numbers a probe's value has.
+    components: usize,
 }
 
 /// Carries a study out.
@@ -199,18 +201,12 @@ impl Views {
             .map(|at| Errors {
                 probe: study.probe.as_ref().map(|_| {
                     let (own, truth) = (&self.probes[at], &truth.probes[at]);
-                    compare::probe(own, truth, components(truth))
+                    compare::probe(own, truth, self.components)
                 }),
                 picture: compare::picture(&self.pictures[at], &truth.pictures[at]),
             })
             .collect()
     }
-}
-
-/// A scalar comes with zeros behind it, in every pixel.
-fn components(image: &FloatImage) -> usize {
-    let is_zero = |i: usize| image.rgba.iter().all(|pixel| pixel[i] == 0.0);
-    if is_zero(1) && is_zero(2) { 1 } else { 3 }
 }
 
 struct Run<'s, 'a> {
@@ -255,26 +251,29 @@ impl Run<'_, '_> {
         Ok(subject.draw(self.around.gpu, &self.inputs[at], &mut || {})?)
     }
 
-    /// Draws something at every moment.
+    /// Draws something at every moment; how many components of it mean something.
     fn images(
         &mut self,
         variant: &Variant,
         precision: Precision,
         output: Output,
-    ) -> Result<Vec<FloatImage>, OpenError> {
+    ) -> Result<(Vec<FloatImage>, usize), OpenError> {
         let mut subject = self.open(variant, precision, output)?;
-        (0..self.inputs.len())
-            .map(|at| Ok(self.draw(&mut subject, at)?.image))
-            .collect()
+        let components = subject.components();
+        let images = (0..self.inputs.len()).map(|at| Ok(self.draw(&mut subject, at)?.image));
+        Ok((images.collect::<Result<_, OpenError>>()?, components))
     }
 
     fn views(&mut self, variant: &Variant, precision: Precision) -> Result<Views, OpenError> {
+        let (pictures, _) = self.images(variant, precision, Output::Colour)?;
+        let (probes, components) = match &self.study.probe {
+            None => (Vec::new(), 0),
+            Some(probe) => self.images(variant, precision, Output::Probe(probe.clone()))?,
+        };
         Ok(Views {
-            pictures: self.images(variant, precision, Output::Colour)?,
-            probes: match &self.study.probe {
-                None => Vec::new(),
-                Some(probe) => self.images(variant, precision, Output::Probe(probe.clone()))?,
-            },
+            pictures,
+            probes,
+            components,
         })
     }
 
@@ -289,7 +288,7 @@ impl Run<'_, '_> {
             discretisation = double.errors(truth, study);
             rounding = single.errors(&double, study);
         }
-        let rounds = self.images(variant, Precision::Single, Output::AllRounds)?;
+        let (rounds, _) = self.images(variant, Precision::Single, Output::AllRounds)?;
         let cell = |at: usize| {
             let counts = rounds[at].rgba.iter().map(|pixel| f64::from(pixel[0]));
             Cell {

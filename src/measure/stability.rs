@@ -345,12 +345,7 @@ impl Examined<'_> {
         let counted = loops.iter().zip(&rounds);
         let busiest = counted.max_by(|a, b| a.1.total_cmp(b.1));
         let scene = &self.subject(&way)?.session.scene;
-        Ok(busiest.and_then(|(span, _)| {
-            let span = (*span)?;
-            let file = scene.files.get(span.file);
-            let place = file.location(span.start);
-            Some(format!("{}:{}:{}", file.name, place.line, place.column))
-        }))
+        Ok(busiest.and_then(|(span, _)| Some(scene.files.place((*span)?))))
     }
 
     /// Whether the step to the next frame is out of line with the step before and the one behind.

@@ -163,10 +163,15 @@ pub struct Variant {
 impl Variant {
     /// Family and label.
     pub fn name(&self) -> String {
-        match self.label.as_str() {
-            "" => self.family.clone(),
-            label => format!("{} {label}", self.family),
-        }
+        name(&self.family, &self.label)
+    }
+}
+
+/// How a variant is called: its family, and what tells it apart there, if anything does.
+pub(super) fn name(family: &str, label: &str) -> String {
+    match label {
+        "" => family.to_owned(),
+        label => format!("{family} {label}"),
     }
 }
 

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::run::{Cell, Errors, Findings};
+use super::study;
 
 /// A variant over all moments.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -42,10 +43,7 @@ pub struct Row {
 impl Row {
     /// Family and label.
     pub fn name(&self) -> String {
-        match self.label.as_str() {
-            "" => self.family.clone(),
-            label => format!("{} {label}", self.family),
-        }
+        study::name(&self.family, &self.label)
     }
 }
 

@@ -46,6 +46,12 @@ impl Subject {
         })
     }
 
+    /// How many components of its pixels mean something.
+    pub fn components(&self) -> usize {
+        let image = self.session.programs.last();
+        image.map_or(4, |program| usize::from(program.components))
+    }
+
     /// Draws one frame and waits for it. `waiting` is called now and then; it may end the program.
     pub fn draw(
         &mut self,

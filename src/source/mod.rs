@@ -95,6 +95,13 @@ impl SourceMap {
         &self.files[id.0 as usize]
     }
 
+    /// Where a span begins, as `file:line:column`.
+    pub fn place(&self, span: Span) -> String {
+        let file = self.get(span.file);
+        let at = file.location(span.start);
+        format!("{}:{}:{}", file.name, at.line, at.column)
+    }
+
     /// A span over the whole file.
     pub fn whole(&self, file: FileId) -> Span {
         let end = u32::try_from(self.get(file).text.len()).unwrap_or(u32::MAX);

@@ -226,6 +226,7 @@ impl Text<'_> {
     ) -> Result<Program, Vec<Diagnostic>> {
         finite::mark_finite_loops(&mut hir);
         let output = self.output(&mut hir, &options.output)?;
+        let components = output.components(&hir);
         let double_functions = double::Functions::new(&hir);
         let reachable = Reachable::new(&hir, &double_functions);
         let lowered = lower(
@@ -264,7 +265,7 @@ impl Text<'_> {
             .collect();
         drop(hir);
         let internal = |message: &str| vec![refusal::internal(message).at(self.end())];
-        let program = Program::new(
+        let mut program = Program::new(
             self.pass.kind,
             options.precision,
             lowered,
@@ -274,6 +275,7 @@ impl Text<'_> {
             options.round_budget,
         )
         .map_err(|message| internal(&message))?;
+        program.components = components;
         // What validates can be written: this is for whoever changes that by mistake.
         if cfg!(debug_assertions) {
             write::spirv(&program).map_err(|message| internal(&message))?;

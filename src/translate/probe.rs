@@ -106,10 +106,7 @@ pub(super) fn find(hir: &Hir, probe: &Probe, entry: &str) -> Result<Watched, Dia
         ));
     }
     let is_fine = |watched: &Watched| {
-        let ty = match *watched {
-            Watched::Result(function) => hir.functions[function].result,
-            Watched::Local(function, local) => hir.functions[function].locals[local].ty,
-        };
+        let ty = watched.ty(hir);
         match can_be_watched(ty) {
             true => Ok(*watched),
             false => Err(Diagnostic::error(

@@ -35,6 +35,8 @@ pub struct Program {
     /// Every loop of the functions that are used, by its number; `None` where it is none of the
     /// author's.
     pub loops: Vec<Option<Span>>,
+    /// How many components of what it gives for a pixel mean something: all four, but for a probe.
+    pub components: u8,
     /// The rounds that loops not known to end may make in a pixel, see
     /// [`Options::round_budget`](super::Options::round_budget).
     pub round_budget: Option<u32>,
@@ -123,6 +125,7 @@ impl Program {
             guards,
             loops,
             round_budget,
+            components: 4,
             unused_overrides: Vec::new(),
             warnings: Vec::new(),
             module,

@@ -39,10 +39,24 @@ pub enum Watched {
 }
 
 impl Watched {
-    fn ty(self, hir: &Hir) -> Type {
+    /// The type of the value.
+    pub fn ty(self, hir: &Hir) -> Type {
         match self {
             Watched::Local(function, local) => hir.functions[function].locals[local].ty,
             Watched::Result(function) => hir.functions[function].result,
+        }
+    }
+}
+
+impl Output {
+    /// How many components of what is given mean something.
+    pub fn components(self, hir: &Hir) -> u8 {
+        match self {
+            Output::Value(watched) => match watched.ty(hir).base {
+                Base::Vector(_, size) => size,
+                _ => 1,
+            },
+            _ => 4,
         }
     }
 }
