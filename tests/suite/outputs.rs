@@ -8,7 +8,7 @@ use vitrine::session::Subject;
 use vitrine::translate::{Options, Output, Probe};
 
 use crate::double::open_double;
-use crate::support::{gpu, pasted};
+use crate::support::{Folder, gpu, pasted, vitrine};
 
 const SIZE: UVec2 = UVec2::new(4, 3);
 
@@ -165,4 +165,55 @@ void mainImage(out vec4 c, in vec2 p) { mat2 m = mat2(1.); float a[2]; a[0] = m[
         assert!(message.contains(words), "{name}: {message}");
     }
     let _ = gpu;
+}
+
+#[test]
+fn exr_files_hold_the_picture_and_the_probes() {
+    use exr::prelude::{FlatSamples, ReadChannels as _, ReadLayers as _, read};
+    let Some(_) = gpu() else { return };
+    let folder = Folder::new();
+    let scene = folder.write(
+        "a.glsl",
+        "void mainImage(out vec4 c, in vec2 p) {
+            float t = p.x * 10.; vec2 flat2 = vec2(p.y, 0.);
+            for (int i = 0; i < 3; i++) t += 1.;
+            c = vec4(p, -2., 1.);
+        }",
+    );
+    let file = folder.path().join("a.exr");
+    let export = vitrine("export --size 4x3 --probe t,flat2 --count loops --out");
+    let outcome = export.arg(&file).arg(scene).run();
+    assert_eq!(outcome.code, Some(0), "{}", outcome.stderr);
+    assert!(
+        outcome
+            .stderr
+            .contains("a.glsl:3:13: 36 rounds, 3.0 a pixel, 3 at most")
+    );
+    let image = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels();
+    let image = image.first_valid_layer().all_attributes().from_file(&file);
+    let channels = image.expect("an EXR file").layer_data.channel_data.list;
+    let mut found = Vec::new();
+    for channel in channels {
+        let FlatSamples::F32(values) = channel.sample_data else {
+            panic!("{} has no floats", channel.name);
+        };
+        // The first is the pixel at the top left.
+        found.push((channel.name.to_string(), values[0]));
+    }
+    let expected = [
+        ("B", -2.0),
+        ("G", 2.5),
+        ("R", 0.5),
+        ("flat2.X", 2.5),
+        ("flat2.Y", 0.0),
+        ("rounds", 3.0),
+        ("t", 8.0),
+    ];
+    assert_eq!(
+        found,
+        expected.map(|(name, value)| (name.to_owned(), value))
+    );
 }
