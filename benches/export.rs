@@ -121,7 +121,7 @@ fn exported_once(
     };
     let watchdog = Watchdog::start(None, |_| {}, |_| {});
     let start = Instant::now();
-    let summary = export(gpu, &session.renderer, &job, &watchdog, &mut |_| true);
+    let summary = export(gpu, session, &job, &watchdog, &mut |_| true);
     (start.elapsed(), summary.expect("an export that succeeds"))
 }
 

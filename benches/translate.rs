@@ -146,6 +146,8 @@ fn ours(text: &Text, arithmetic: Arithmetic, times: &mut [Duration; 5]) -> bool 
             arithmetic,
             output: lower::Output::Colour,
             round_budget: None,
+            round_limit: None,
+            checks: lower::Checks::None,
             interface: &bindings::INTERFACE,
             double_functions: &double_functions,
         },

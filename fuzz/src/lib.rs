@@ -4,7 +4,7 @@ pub mod grammar;
 
 use vitrine::scene::{self, LoadErrorKind, Source};
 use vitrine::source::Report;
-use vitrine::translate::{Arithmetic, Language, Options, translate, write};
+use vitrine::translate::{Arithmetic, Checks, Language, Options, translate, write};
 
 /// Translates a text, both ways, and panics unless there is a program that can be written or a
 /// complaint that makes sense.
@@ -20,11 +20,18 @@ pub fn judge(bytes: &[u8]) {
             LoadErrorKind::Io { .. } => panic!("no file is read"),
         },
     };
-    let ways = [(false, Arithmetic::Expanded), (true, Arithmetic::Compact)];
-    let accepted = ways.map(|(strict, arithmetic)| {
+    let ways = [
+        (false, Arithmetic::Expanded, Checks::None),
+        (true, Arithmetic::Compact, Checks::None),
+        (false, Arithmetic::Expanded, Checks::All),
+    ];
+    let accepted = ways.map(|(strict, arithmetic, checks)| {
         let options = Options {
             strict,
             arithmetic,
+            checks,
+            round_budget: Some(1000),
+            round_limit: Some(100),
             ..Options::default()
         };
         match translate(&scene, &options) {
@@ -44,7 +51,8 @@ pub fn judge(bytes: &[u8]) {
             }
         }
     });
-    assert_ne!(accepted, [false, true], "strictness only takes away");
+    assert_ne!(accepted[..2], [false, true], "strictness only takes away");
+    assert!(accepted[0] || !accepted[2], "checks add nothing to the language");
 }
 
 fn assert_sound(report: &Report) {

@@ -53,6 +53,10 @@ pub enum Command {
 const SCENE_HELP: &str =
     "A file of ShaderToy GLSL or JSON, a scene folder, or `-` for standard input";
 
+#[cfg(feature = "gpu")]
+const SANITIZE_HELP: &str = "Look for what GLSL leaves undefined and for what is suspicious: divisions by zero, \
+     roots of negatives, indices out of range, variables that are not set, where NaN comes from …";
+
 #[cfg(feature = "window")]
 #[derive(Debug, Args)]
 #[command(after_help = "Keys:\n  \
@@ -75,6 +79,8 @@ pub struct RunArgs {
     /// Do not watch the files for changes
     #[arg(long)]
     pub no_watch: bool,
+    #[arg(long, help = SANITIZE_HELP)]
+    pub sanitize: bool,
     #[command(flatten)]
     pub define: DefineArgs,
     #[command(flatten)]
@@ -114,6 +120,8 @@ pub struct ExportArgs {
     /// What to compute in
     #[arg(long, value_enum, default_value_t = Precision::F32)]
     pub precision: Precision,
+    #[arg(long, help = SANITIZE_HELP)]
+    pub sanitize: bool,
     /// Write where the time went, as JSON
     #[arg(long, value_name = "FILE.json")]
     pub stats: Option<PathBuf>,
@@ -164,6 +172,8 @@ pub struct StabilityArgs {
     /// Give a macro these values in turn, too
     #[arg(long, value_name = "NAME=A,B,…", value_parser = vary)]
     pub vary: Vec<(String, Vec<String>)>,
+    #[arg(long, help = SANITIZE_HELP)]
+    pub sanitize: bool,
     /// How to write the verdicts
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,

@@ -15,6 +15,7 @@ pub fn doctor() -> anyhow::Result<ExitCode> {
         text += &format!("  largest picture   {size}x{size}\n");
         text += &format!("  GPU timing        {}\n", yes_no(adapter.timestamps));
         text += &format!("  64-bit floats     {}\n", yes_no(adapter.float64));
+        text += &format!("  sanitizing        {}\n", yes_no(adapter.findings));
         if index == 0 {
             text += "  used unless `--adapter` says otherwise\n";
         }

@@ -16,6 +16,7 @@ use vitrine::scene::Source;
 use vitrine::session::Session;
 use vitrine::translate::{Options, Output, Probe};
 
+use super::findings::{checks, show_findings};
 use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
 use super::progress::Progress;
 use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
@@ -29,6 +30,13 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     let mut options = options(args.define.clone());
     if args.precision == Precision::F64 {
         options.precision = vitrine::translate::Precision::Double;
+    }
+    options.checks = checks(args.sanitize);
+    if args.sanitize && args.precision == Precision::F64 {
+        return Err(failure(
+            "`--sanitize` looks at what is computed in 32 bits",
+            "leave `--precision f64` away",
+        ));
     }
     let wanted = wanted(&args, &job)?;
     if let ([probe], false) = (wanted.probes.as_slice(), job.out.is_exr()) {
@@ -54,12 +62,13 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
 
     let interrupted = interruption()?;
     let mut progress = Progress::new(job.frames.count(), "frames");
-    let result = export::export(&gpu, &session.renderer, &job, &watchdog, &mut |written| {
+    let result = export::export(&gpu, &session, &job, &watchdog, &mut |written| {
         progress.at(written);
         !interrupted.load(Ordering::Relaxed)
     });
     progress.end();
-    let summary = result.map_err(explain_export)?;
+    let mut summary = result.map_err(explain_export)?;
+    show_findings(&gpu, &session, &mut summary.findings)?;
     let wall = started.elapsed();
 
     report_end(&job, &summary, wall);
@@ -120,7 +129,8 @@ fn export_layered(
         !interrupted.load(Ordering::Relaxed)
     });
     progress.end();
-    let summary = result.map_err(explain_export)?;
+    let mut summary = result.map_err(explain_export)?;
+    show_findings(gpu, &layers.picture.session, &mut summary.findings)?;
     let files = &layers.picture.session.scene.files;
     let pixels = f64::from(job.size.element_product()) * f64::from(summary.frames.max(1));
     for work in &layers.loops {

@@ -5,6 +5,8 @@ mod check;
 mod doctor;
 #[cfg(feature = "gpu")]
 mod export;
+#[cfg(feature = "gpu")]
+mod findings;
 mod inspect;
 #[cfg(feature = "gpu")]
 mod measure;

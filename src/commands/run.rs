@@ -2,8 +2,10 @@ use std::process::ExitCode;
 
 use glam::UVec2;
 use vitrine::scene::Source;
+use vitrine::translate;
 use vitrine::window::{self, Options, PlayError};
 
+use super::findings::checks;
 use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
 use super::{SCENE_HAS_PROBLEMS, failure, options, source};
 use crate::cli::RunArgs;
@@ -13,7 +15,10 @@ pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
         Some(path) => source(path)?,
         None => Source::Embedded,
     };
-    let translate = options(args.define);
+    let translate = translate::Options {
+        checks: checks(args.sanitize),
+        ..options(args.define)
+    };
     if !can_run(&source, &translate)? {
         return Ok(SCENE_HAS_PROBLEMS.into());
     }

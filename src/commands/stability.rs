@@ -1,8 +1,9 @@
 use std::process::ExitCode;
 
-use vitrine::measure::stability::{Verdict, cases, examine};
+use vitrine::measure::stability::{Examination, Verdict, cases, examine};
 use vitrine::render::Gpu;
 use vitrine::report;
+use vitrine::translate::{Checks, Options};
 
 use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
 use super::progress::Progress;
@@ -11,7 +12,13 @@ use crate::cli::{Format, StabilityArgs};
 
 pub fn stability(args: StabilityArgs) -> anyhow::Result<ExitCode> {
     let source = source(&args.scene)?;
-    let options = options(args.define.clone());
+    let options = Options {
+        checks: match args.sanitize {
+            true => Checks::All,
+            false => Checks::None,
+        },
+        ..options(args.define.clone())
+    };
     if !can_run(&source, &options)? {
         return Ok(SCENE_HAS_PROBLEMS.into());
     }
@@ -22,20 +29,23 @@ pub fn stability(args: StabilityArgs) -> anyhow::Result<ExitCode> {
     let watchdog = watchdog(&args.gpu);
     let cases = cases(&args.vary);
     let mut progress = Progress::new(cases.len() as u32, "cases");
-    let verdicts = examine(&gpu, &source, &options, &cases, &mut |done, next| {
+    let examination = examine(&gpu, &source, &options, &cases, &mut |done, next| {
         watchdog.begin();
         progress.say(next);
         progress.at(done as u32);
     });
     watchdog.rest();
     progress.end();
-    let verdicts = match verdicts {
-        Ok(verdicts) => verdicts,
+    let Examination { verdicts, findings } = match examination {
+        Ok(examination) => examination,
         Err(error) => return explain(error).map(Into::into),
     };
     match args.format {
-        Format::Human => print(table(&verdicts).as_bytes())?,
-        Format::Json => print(json(&verdicts)?.as_bytes())?,
+        Format::Human => {
+            print(table(&verdicts).as_bytes())?;
+            report::show(&findings);
+        }
+        Format::Json => print((json(&verdicts)? + &report::json(&findings)).as_bytes())?,
     }
     let fails = |verdict: &&Verdict| verdict.required && !verdict.faults.is_empty();
     Ok(match verdicts.iter().filter(fails).count() {
@@ -61,7 +71,12 @@ fn table(verdicts: &[Verdict]) -> String {
             format!("  rounding {:5.1} %", share * 100.0)
         });
         text += &format!("{:width$}  {word:6}{rounding}", verdict.name);
-        let faults: Vec<_> = verdict.faults.iter().map(ToString::to_string).collect();
+        let mut faults: Vec<_> = verdict.faults.iter().map(ToString::to_string).collect();
+        match verdict.findings {
+            None | Some(0) => {}
+            Some(1) => faults.push("1 finding".to_owned()),
+            Some(count) => faults.push(format!("{count} findings")),
+        }
         if !faults.is_empty() {
             text += &format!("  {}", faults.join("; "));
         }

@@ -10,9 +10,9 @@ use crate::frame::{FloatImage, FrameImage, FrameInput};
 use crate::output::{self, PngSink, WriteError};
 use crate::render::{Gpu, GpuError, Watchdog};
 use crate::scene::Source;
-use crate::session::{OpenError, Subject};
+use crate::session::{Findings, OpenError, Subject};
 use crate::source::Span;
-use crate::translate::{Options, Output, Probe};
+use crate::translate::{Checks, Options, Output, Probe};
 
 /// What to write of each pixel.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -34,6 +34,8 @@ pub struct Layers {
     rounds: Vec<Subject>,
     /// What the loops did so far.
     pub loops: Vec<LoopWork>,
+    /// What went wrong so far.
+    findings: Findings,
 }
 
 /// What a loop did in all frames together.
@@ -61,6 +63,10 @@ impl Layers {
     ) -> Result<Self, OpenError> {
         let open = |output: Output| {
             let options = Options {
+                checks: match output {
+                    Output::Colour => options.checks.clone(),
+                    _ => Checks::None,
+                },
                 output,
                 ..options.clone()
             };
@@ -77,6 +83,7 @@ impl Layers {
             all_rounds: None,
             rounds: Vec::new(),
             loops: Vec::new(),
+            findings: Findings::default(),
             picture,
         };
         if wanted.rounds {
@@ -103,9 +110,13 @@ impl Layers {
         &mut self,
         gpu: &Gpu,
         input: &FrameInput,
+        within: &str,
         waiting: &mut dyn FnMut(),
     ) -> Result<Channels, GpuError> {
-        let picture = self.picture.draw(gpu, input, waiting)?.image;
+        let drawn = self.picture.draw(gpu, input, waiting)?;
+        let programs = &self.picture.session.programs;
+        self.findings.note(programs, &drawn.findings, input, within);
+        let picture = drawn.image;
         let mut channels: Channels = Vec::new();
         for (i, name) in ["R", "G", "B"].into_iter().enumerate() {
             channels.push((name.to_owned(), component(&picture, i)));
@@ -174,7 +185,10 @@ pub fn export_layers(
         let mut waiting = || goes_on &= progress(summary.frames);
         let (exr, heat);
         if job.out.is_exr() {
-            (exr, heat) = (Some(layers.channels(gpu, &input, &mut waiting)?), None);
+            (exr, heat) = (
+                Some(layers.channels(gpu, &input, &job.within(number), &mut waiting)?),
+                None,
+            );
         } else {
             (exr, heat) = (None, layers.count(gpu, &input, &mut waiting)?);
         }
@@ -197,6 +211,7 @@ pub fn export_layers(
         }
     }
     summary.interrupted = summary.frames < job.frames.count();
+    summary.findings = std::mem::take(&mut layers.findings);
     Ok(summary)
 }
 

@@ -18,7 +18,8 @@ use glam::UVec2;
 
 use crate::frame::{Clock, FrameInput};
 use crate::output::WriteError;
-use crate::render::{Format, Gpu, GpuError, ReadBack, Renderer, Target, Watchdog};
+use crate::render::{Extras, Format, Gpu, GpuError, ReadBack, Target, Watchdog};
+use crate::session::{Findings, Session};
 
 /// Frames under way at once: one being drawn, one being read back, one waiting in between.
 const RING: usize = 3;
@@ -92,7 +93,7 @@ fn more(count: usize) -> String {
 }
 
 /// What an export did.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Summary {
     /// Files written.
     pub frames: u32,
@@ -107,6 +108,8 @@ pub struct Summary {
     pub read_back: Duration,
     /// Time spent encoding and writing, all threads together.
     pub encode: Duration,
+    /// What went wrong in the frames.
+    pub findings: Findings,
 }
 
 impl Job {
@@ -136,6 +139,14 @@ impl Job {
         }
     }
 
+    /// How a frame is called in findings.
+    fn within(&self, number: u32) -> String {
+        match self.frames.count() {
+            1 => String::new(),
+            _ => format!("frame {number}"),
+        }
+    }
+
     /// Every frame's number and input.
     fn inputs(&self) -> impl Iterator<Item = (u32, FrameInput)> + '_ {
         let clock = Clock::fixed(self.fps);
@@ -156,14 +167,19 @@ impl Job {
 /// told of every frame.
 pub fn export(
     gpu: &Gpu,
-    renderer: &Renderer,
+    session: &Session,
     job: &Job,
     watchdog: &Watchdog,
     progress: &mut dyn FnMut(u32) -> bool,
 ) -> Result<Summary, ExportError> {
     job.check_output()?;
+    let renderer = &session.renderer;
     let target = Target::new(gpu, job.size, Format::Bytes)?;
-    let ring = ReadBack::new(gpu, &target, RING, job.timed)?;
+    let extras = Extras {
+        times: job.timed,
+        finding_words: renderer.finding_words(),
+    };
+    let ring = ReadBack::new(gpu, &target, RING, extras)?;
     let mut free = ring.slots;
     let mut under_way = VecDeque::with_capacity(RING);
     let mut encoders = Encoders::start(job.overwrite);
@@ -183,10 +199,10 @@ pub fn export(
                     break;
                 };
                 renderer.render(gpu, &input, &target, Some(&mut slot));
-                under_way.push_back((number, slot));
+                under_way.push_back((number, input, slot));
             }
             // Take back the oldest frame.
-            let Some((number, mut slot)) = under_way.pop_front() else {
+            let Some((number, input, mut slot)) = under_way.pop_front() else {
                 return Ok(());
             };
             while !slot.is_ready(gpu)? {
@@ -202,6 +218,12 @@ pub fn export(
             if let Some(seconds) = transferred.gpu_seconds {
                 *summary.gpu_seconds.get_or_insert(0.0) += seconds;
             }
+            summary.findings.note(
+                &session.programs,
+                &transferred.findings,
+                &input,
+                &job.within(number),
+            );
             if came_back == 0 {
                 summary.first_frame = start.elapsed();
             }

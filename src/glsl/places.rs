@@ -35,10 +35,15 @@ impl<'t> Places<'t> {
     /// Points a diagnostic at some tokens, with a note if a macro has brought them.
     pub fn point(&self, diagnostic: Diagnostic, extent: Extent) -> Diagnostic {
         let diagnostic = diagnostic.at(self.span(extent));
-        match self.token(extent.first).and_then(Token::origin) {
+        match self.origin(extent) {
             Some(origin) => diagnostic.note(origin, "a macro brings it from here"),
             None => diagnostic,
         }
+    }
+
+    /// Where the definition of a macro has the first token, if a macro has brought it.
+    pub fn origin(&self, extent: Extent) -> Option<Span> {
+        self.token(extent.first)?.origin()
     }
 
     /// What the token is.

@@ -9,8 +9,9 @@ use super::compare;
 use crate::frame::{Clock, FloatImage, FrameInput};
 use crate::render::Gpu;
 use crate::scene::Source;
-use crate::session::{OpenError, Subject};
-use crate::translate::{Options, Output, Precision};
+use crate::session::{Findings, OpenError, Subject};
+use crate::source::{Diagnostic, Report};
+use crate::translate::{Checks, Options, Output, Precision};
 
 /// The size of pictures where the size itself is not what varies.
 pub const SIZE: UVec2 = UVec2::new(96, 54);
@@ -137,6 +138,9 @@ pub struct Verdict {
     pub required: bool,
     /// What is wrong; nothing, if all is well.
     pub faults: Vec<Fault>,
+    /// At how many places of the text the sanitizer found something, if it looked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub findings: Option<usize>,
     /// The share of pixels that rounding moves by more than 8/255; none where the device has no 64 bits.
     pub rounding: Option<f64>,
 }
@@ -197,6 +201,15 @@ pub fn cases(defines: &[(String, Vec<String>)]) -> Vec<Case> {
     cases
 }
 
+/// What was found out about a scene.
+#[derive(Clone, Debug, Default)]
+pub struct Examination {
+    /// A verdict for each case.
+    pub verdicts: Vec<Verdict>,
+    /// What the sanitizer found in all of them, if [`Options::checks`] is [`Checks::All`].
+    pub findings: Report,
+}
+
 /// Puts a scene to all cases. `progress` is told the number of cases done and the next one's name.
 pub fn examine(
     gpu: &Gpu,
@@ -204,24 +217,26 @@ pub fn examine(
     options: &Options,
     cases: &[Case],
     progress: &mut dyn FnMut(usize, &str),
-) -> Result<Vec<Verdict>, OpenError> {
+) -> Result<Examination, OpenError> {
     let mut scene = Examined {
         gpu,
         source,
         options,
         open: Vec::new(),
+        findings: Vec::new(),
     };
     let rest = Clock::fixed(60.0).at_time(1.0, SIZE);
     let rest = scene.image(&rest, &[], Precision::Single, &Output::Colour)?;
     let is_varied = !is_flat(&rest);
-    cases
-        .iter()
-        .enumerate()
-        .map(|(done, case)| {
-            progress(done, &case.name);
-            scene.verdict(case, is_varied)
-        })
-        .collect()
+    let mut verdicts = Vec::new();
+    for (done, case) in cases.iter().enumerate() {
+        progress(done, &case.name);
+        verdicts.push(scene.verdict(case, is_varied)?);
+    }
+    Ok(Examination {
+        verdicts,
+        findings: scene.report()?,
+    })
 }
 
 /// A scene, opened in as many ways as it has been drawn.
@@ -230,6 +245,8 @@ struct Examined<'a> {
     source: &'a Source,
     options: &'a Options,
     open: Vec<(Way, Subject)>,
+    /// What the sanitizer found under each set of macros.
+    findings: Vec<(Way, Findings)>,
 }
 
 /// What tells the ways apart.
@@ -239,6 +256,7 @@ struct Way {
     defines: Vec<(String, String)>,
     precision: Precision,
     output: Output,
+    checks: Checks,
 }
 
 impl Examined<'_> {
@@ -251,6 +269,7 @@ impl Examined<'_> {
                     overrides: [&*self.options.overrides, &way.defines].concat(),
                     precision: way.precision,
                     output: way.output.clone(),
+                    checks: way.checks.clone(),
                     round_budget: Some(ROUND_BUDGET),
                     ..self.options.clone()
                 };
@@ -274,9 +293,58 @@ impl Examined<'_> {
             defines: defines.to_vec(),
             precision,
             output: output.clone(),
+            checks: Checks::None,
         };
         let gpu = self.gpu;
         Ok(self.subject(&way)?.draw(gpu, input, &mut || {})?.image)
+    }
+
+    /// Draws a case once more, watched; at how many places something went wrong.
+    fn sanitize(&mut self, case: &Case) -> Result<Option<usize>, OpenError> {
+        if self.options.checks != Checks::All {
+            return Ok(None);
+        }
+        let way = Way {
+            size: case.input.resolution,
+            defines: case.defines.clone(),
+            precision: Precision::Single,
+            output: Output::Colour,
+            checks: Checks::All,
+        };
+        let known = |(known, _): &(Way, Findings)| known.defines == way.defines;
+        let known = self.findings.iter().position(known);
+        let (first, mut findings) = match known {
+            Some(known) => self.findings.swap_remove(known),
+            None => (way.clone(), Findings::default()),
+        };
+        let gpu = self.gpu;
+        let subject = self.subject(&way)?;
+        let drawn = subject.draw(gpu, &case.input, &mut || {})?;
+        let programs = &subject.session.programs;
+        let count = findings.note(programs, &drawn.findings, &case.input, &case.name);
+        self.findings.push((first, findings));
+        Ok(Some(count))
+    }
+
+    /// What the sanitizer found in all cases; what several sets of macros have in common, once.
+    fn report(&mut self) -> Result<Report, OpenError> {
+        let mut report = Report::default();
+        let gpu = self.gpu;
+        for (way, mut findings) in std::mem::take(&mut self.findings) {
+            let session = &self.subject(&way)?.session;
+            findings.find_operands(gpu, session)?;
+            let found = findings.report(session);
+            report.files = found.files;
+            for diagnostic in found.diagnostics {
+                let is_known = |known: &Diagnostic| {
+                    (known.code, known.span) == (diagnostic.code, diagnostic.span)
+                };
+                if !report.diagnostics.iter().any(is_known) {
+                    report.diagnostics.push(diagnostic);
+                }
+            }
+        }
+        Ok(report)
     }
 
     fn verdict(&mut self, case: &Case, is_varied: bool) -> Result<Verdict, OpenError> {
@@ -318,6 +386,7 @@ impl Examined<'_> {
             name: case.name.clone(),
             required: case.is_required,
             faults,
+            findings: self.sanitize(case)?,
             rounding,
         })
     }
@@ -334,6 +403,7 @@ impl Examined<'_> {
             defines: defines.to_vec(),
             precision: Precision::Single,
             output: Output::Colour,
+            checks: Checks::None,
         };
         let loops = self.subject(&way)?.session.programs[0].loops.clone();
         let at = ((input.resolution.y - 1 - y) * input.resolution.x + x) as usize;

@@ -64,6 +64,14 @@ pub enum GpuError {
         /// The adapter's name.
         adapter: String,
     },
+    /// A program that notes findings, on a device whose shaders cannot write to buffers.
+    #[error(
+        "the adapter `{adapter}` lets shaders write to no buffer, so that they cannot be watched"
+    )]
+    NoFindings {
+        /// The adapter's name.
+        adapter: String,
+    },
     /// Memory ran out, on the device or for it.
     #[error("out of memory while {doing}")]
     OutOfMemory {
@@ -102,6 +110,9 @@ impl GpuError {
             GpuError::NoFloat64 { .. } => {
                 "`vitrine doctor` lists which adapters have 64-bit floats; `--adapter` chooses one"
             }
+            GpuError::NoFindings { .. } => {
+                "`vitrine doctor` lists the adapters; `--adapter` chooses one"
+            }
             GpuError::OutOfMemory { .. } => {
                 "choose a smaller `--size`, close other programs, or try `--adapter cpu`"
             }
@@ -130,6 +141,7 @@ pub struct Gpu {
     device: wgpu::Device,
     queue: wgpu::Queue,
     faults: Faults,
+    can_note_findings: bool,
 }
 
 impl Gpu {
@@ -174,6 +186,7 @@ impl Gpu {
             device,
             queue,
             faults,
+            can_note_findings: can_note_findings(adapter),
         })
     }
 
@@ -202,6 +215,17 @@ impl Gpu {
     /// Whether shaders can compute in 64-bit floats.
     pub fn has_float64(&self) -> bool {
         self.device.features().contains(wgpu::Features::SHADER_F64)
+    }
+
+    /// How many rounds the driver lets a loop make before it ends it without a word, a little less.
+    pub fn round_limit(&self) -> Option<u32> {
+        // Mesa's drivers on the CPU end every loop after 65,535 rounds (`LP_MAX_TGSI_LOOP_ITERATIONS`).
+        self.adapter.name.contains("llvmpipe").then_some(65_500)
+    }
+
+    /// Whether shaders can write to buffers, and so note what goes wrong in them.
+    pub fn can_note_findings(&self) -> bool {
+        self.can_note_findings
     }
 
     /// Fails with the first error that has turned up outside of any call.
@@ -417,6 +441,15 @@ pub struct AdapterSummary {
     pub timestamps: bool,
     /// Whether shaders can compute in 64-bit floats.
     pub float64: bool,
+    /// Whether `--sanitize` works.
+    pub findings: bool,
+}
+
+/// Whether an adapter's fragment shaders can write to buffers.
+fn can_note_findings(adapter: &wgpu::Adapter) -> bool {
+    let flags = adapter.get_downlevel_capabilities().flags;
+    flags.contains(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE)
+        && adapter.limits().max_storage_buffers_per_shader_stage >= 2
 }
 
 /// All adapters of all interfaces, best first.
@@ -439,6 +472,7 @@ pub fn adapters() -> Vec<AdapterSummary> {
                 max_size: adapter.limits().max_texture_dimension_2d,
                 timestamps: features.contains(wgpu::Features::TIMESTAMP_QUERY),
                 float64: features.contains(wgpu::Features::SHADER_F64),
+                findings: can_note_findings(&adapter),
             });
         }
     }

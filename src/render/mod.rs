@@ -19,7 +19,7 @@ pub use gpu::{AdapterChoice, AdapterSummary, Gpu, GpuError, adapters};
 pub use pass::PassLayout;
 #[cfg(feature = "window")]
 pub use present::{Presented, Presenter};
-pub use read_back::{ReadBack, Slot, Transferred};
+pub use read_back::{Extras, ReadBack, Slot, Transferred};
 pub use target::{Format, Target};
 pub use watchdog::Watchdog;
 
@@ -60,6 +60,9 @@ impl Renderer {
             .device()
             .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: None });
         let timestamps = slot.as_ref().and_then(|slot| slot.timestamps());
+        for buffer in self.findings() {
+            encoder.clear_buffer(buffer, 0, None);
+        }
         for pass in &self.passes {
             pass.draw(gpu, input, &mut encoder, target, timestamps.clone());
         }
@@ -67,8 +70,18 @@ impl Renderer {
             None => {
                 gpu.queue().submit([encoder.finish()]);
             }
-            Some(slot) => slot.copy(gpu, encoder, target),
+            Some(slot) => slot.copy(gpu, encoder, target, self.findings()),
         }
+    }
+
+    /// How many words the passes note their findings in, one pass behind the other.
+    pub fn finding_words(&self) -> u32 {
+        let bytes: u64 = self.findings().map(wgpu::Buffer::size).sum();
+        (bytes / 4) as u32
+    }
+
+    fn findings(&self) -> impl Iterator<Item = &wgpu::Buffer> {
+        self.passes.iter().filter_map(|pass| pass.findings())
     }
 
     /// What is bound for each pass, for those who want to know what was left out.

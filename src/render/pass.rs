@@ -25,6 +25,8 @@ pub(super) struct GpuPass {
     layout: PassLayout,
     bind_group: Option<wgpu::BindGroup>,
     uniforms: Option<Uniforms>,
+    /// Where the pass notes its findings.
+    findings: Option<wgpu::Buffer>,
 }
 
 impl GpuPass {
@@ -38,6 +40,10 @@ impl GpuPass {
         if program.is_double() && !gpu.has_float64() {
             let adapter = gpu.describe();
             return Err(GpuError::NoFloat64 { adapter });
+        }
+        if program.findings.is_some() && !gpu.can_note_findings() {
+            let adapter = gpu.describe();
+            return Err(GpuError::NoFindings { adapter });
         }
         let layout = layout(program);
         let uniforms = program
@@ -57,6 +63,7 @@ impl GpuPass {
             }
         }
         let tables = program.tables.as_ref().map(|tables| upload(gpu, tables));
+        let findings = program.findings.map(|words| findings(gpu, words));
         let (pipeline, bind_group) = gpu.guarded("compiling the shader", || {
             let mut entries = Vec::new();
             let mut bind = |binding, resource| {
@@ -67,6 +74,9 @@ impl GpuPass {
             }
             if let Some(tables) = &tables {
                 bind(bindings::TABLES, tables.as_entire_binding());
+            }
+            if let Some(findings) = &findings {
+                bind(bindings::FINDINGS, findings.as_entire_binding());
             }
             for (index, (texture, sampler)) in textures.iter().zip(&samplers).enumerate() {
                 if let Some(view) = texture {
@@ -106,11 +116,16 @@ impl GpuPass {
             layout,
             bind_group,
             uniforms,
+            findings,
         })
     }
 
     pub fn layout(&self) -> &PassLayout {
         &self.layout
+    }
+
+    pub fn findings(&self) -> Option<&wgpu::Buffer> {
+        self.findings.as_ref()
     }
 
     /// Records the drawing of one frame.
@@ -171,6 +186,18 @@ fn upload(gpu: &Gpu, tables: &Tables) -> wgpu::Buffer {
                 false => wgpu::BufferUsages::UNIFORM,
             },
         })
+}
+
+/// A buffer for so many words of findings.
+fn findings(gpu: &Gpu, words: u32) -> wgpu::Buffer {
+    gpu.device().create_buffer(&wgpu::BufferDescriptor {
+        label: Some("findings"),
+        size: 4 * u64::from(words),
+        usage: wgpu::BufferUsages::STORAGE
+            | wgpu::BufferUsages::COPY_SRC
+            | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
 }
 
 /// A pipeline that covers its target with one triangle. Call it within [`Gpu::guarded`].
@@ -273,6 +300,16 @@ fn layout(program: &Program) -> PassLayout {
                 },
                 has_dynamic_offset: false,
                 min_binding_size: std::num::NonZeroU64::new(4 * tables.words.len() as u64),
+            },
+        ));
+    }
+    if let Some(words) = program.findings {
+        entries.push(entry(
+            bindings::FINDINGS,
+            wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Storage { read_only: false },
+                has_dynamic_offset: false,
+                min_binding_size: std::num::NonZeroU64::new(4 * u64::from(words)),
             },
         ));
     }

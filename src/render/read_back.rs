@@ -21,21 +21,77 @@ pub struct ReadBack {
 }
 
 impl ReadBack {
-    /// A ring of `count` slots for pictures like those of `target`; with `timed` each also brings back how
-    /// long the GPU drew, where the device can tell.
-    pub fn new(gpu: &Gpu, target: &Target, count: usize, timed: bool) -> Result<Self, GpuError> {
+    /// A ring of `count` slots for pictures like those of `target`.
+    pub fn new(gpu: &Gpu, target: &Target, count: usize, extras: Extras) -> Result<Self, GpuError> {
+        let extras = Extras {
+            times: extras.times && gpu.has_timestamps(),
+            ..extras
+        };
         let (size, format) = (target.size(), target.format());
-        let timed = timed && gpu.has_timestamps();
+        let layout = Layout::new(size, format, extras);
         let doing = "making the read-back buffers";
-        let bytes = u64::from(stride(size, format)) * u64::from(size.y) + TIMES_BYTES;
-        if bytes > gpu.device().limits().max_buffer_size {
+        if layout.bytes > gpu.device().limits().max_buffer_size {
             return Err(GpuError::OutOfMemory { doing });
         }
         gpu.guarded(doing, || ReadBack {
             slots: (0..count)
-                .map(|_| Slot::new(gpu, size, format, timed))
+                .map(|_| Slot::new(gpu, size, format, layout))
                 .collect(),
         })
+    }
+}
+
+impl ReadBack {
+    /// A slot that brings back findings alone, of pictures of any size.
+    pub fn of_findings(gpu: &Gpu, finding_words: u32) -> Result<Slot, GpuError> {
+        let extras = Extras {
+            times: false,
+            finding_words,
+        };
+        let (size, format) = (UVec2::ZERO, Format::Bytes);
+        let layout = Layout::new(size, format, extras);
+        gpu.guarded("making a read-back buffer", || {
+            Slot::new(gpu, size, format, layout)
+        })
+    }
+}
+
+/// What a slot brings back besides the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Extras {
+    /// How long the GPU drew, where the device can tell.
+    pub times: bool,
+    /// So many words of findings, see [`Renderer::finding_words`](super::Renderer::finding_words).
+    pub finding_words: u32,
+}
+
+/// Where in a slot's buffer everything is, in bytes: the picture first.
+#[derive(Clone, Copy, Debug)]
+struct Layout {
+    /// From one row of the picture to the next, padded as copies demand.
+    stride: u32,
+    findings: u64,
+    finding_words: u32,
+    times: Option<u64>,
+    /// All of it.
+    bytes: u64,
+}
+
+impl Layout {
+    fn new(size: UVec2, format: Format, extras: Extras) -> Self {
+        let stride = format.stride() * size.x;
+        let stride = stride.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let findings = u64::from(stride) * u64::from(size.y);
+        let finding_words = extras.finding_words;
+        let end = (findings + 4 * u64::from(finding_words)).next_multiple_of(8);
+        let times = extras.times.then_some(end);
+        Layout {
+            stride,
+            findings,
+            finding_words,
+            times,
+            bytes: end + times.map_or(0, |_| TIMES_BYTES),
+        }
     }
 }
 
@@ -44,17 +100,11 @@ impl ReadBack {
 pub struct Slot {
     size: UVec2,
     format: Format,
-    /// Bytes from one row to the next in `buffer`, padded as copies demand.
-    stride: u32,
+    layout: Layout,
     buffer: wgpu::Buffer,
     stopwatch: Option<Stopwatch>,
     submission: Option<wgpu::SubmissionIndex>,
     state: Arc<AtomicU8>,
-}
-
-/// Bytes from one row of a picture to the next in a buffer.
-fn stride(size: UVec2, format: Format) -> u32 {
-    (format.stride() * size.x).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT)
 }
 
 const PENDING: u8 = 0;
@@ -62,27 +112,27 @@ const MAPPED: u8 = 1;
 const FAILED: u8 = 2;
 
 /// What came back besides the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Transferred {
     /// How long the GPU drew this frame, if it was asked and can tell.
     pub gpu_seconds: Option<f64>,
+    /// The words of findings, of all passes that have some.
+    pub findings: Vec<u32>,
 }
 
 impl Slot {
-    fn new(gpu: &Gpu, size: UVec2, format: Format, timed: bool) -> Self {
-        let stride = stride(size, format);
-        let picture = u64::from(stride) * u64::from(size.y);
+    fn new(gpu: &Gpu, size: UVec2, format: Format, layout: Layout) -> Self {
         Slot {
             size,
             format,
-            stride,
+            layout,
             buffer: gpu.device().create_buffer(&wgpu::BufferDescriptor {
                 label: Some("read-back"),
-                size: picture + if timed { TIMES_BYTES } else { 0 },
+                size: layout.bytes,
                 usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
                 mapped_at_creation: false,
             }),
-            stopwatch: timed.then(|| Stopwatch::new(gpu)),
+            stopwatch: layout.times.map(|_| Stopwatch::new(gpu)),
             submission: None,
             state: Arc::default(),
         }
@@ -101,28 +151,33 @@ impl Slot {
     pub fn copy_of(&mut self, gpu: &Gpu, target: &Target) {
         let descriptor = wgpu::CommandEncoderDescriptor { label: None };
         let encoder = gpu.device().create_command_encoder(&descriptor);
-        self.copy(gpu, encoder, target);
+        self.copy(gpu, encoder, target, std::iter::empty());
     }
 
     /// Adds the copy to `encoder`, submits it and asks for the result.
-    pub(super) fn copy(&mut self, gpu: &Gpu, mut encoder: wgpu::CommandEncoder, target: &Target) {
-        debug_assert_eq!(self.size, target.size(), "a slot is made for one size");
-        encoder.copy_texture_to_buffer(
-            target.texture().as_image_copy(),
-            wgpu::TexelCopyBufferInfo {
-                buffer: &self.buffer,
-                layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(self.stride),
-                    rows_per_image: None,
-                },
-            },
-            target.texture().size(),
-        );
-        if let Some(stopwatch) = &self.stopwatch {
+    pub(super) fn copy<'b>(
+        &mut self,
+        gpu: &Gpu,
+        mut encoder: wgpu::CommandEncoder,
+        target: &Target,
+        findings: impl Iterator<Item = &'b wgpu::Buffer>,
+    ) {
+        if self.size != UVec2::ZERO {
+            debug_assert_eq!(self.size, target.size(), "a slot is made for one size");
+            self.copy_picture(&mut encoder, target);
+        }
+        let mut at = self.layout.findings;
+        let end = at + 4 * u64::from(self.layout.finding_words);
+        for buffer in findings {
+            let bytes = buffer.size().min(end - at);
+            if bytes > 0 {
+                encoder.copy_buffer_to_buffer(buffer, 0, &self.buffer, at, bytes);
+            }
+            at += bytes;
+        }
+        if let (Some(stopwatch), Some(times)) = (&self.stopwatch, self.layout.times) {
             encoder.resolve_query_set(&stopwatch.queries, 0..2, &stopwatch.resolved, 0);
-            let end = self.buffer.size() - TIMES_BYTES;
-            encoder.copy_buffer_to_buffer(&stopwatch.resolved, 0, &self.buffer, end, TIMES_BYTES);
+            encoder.copy_buffer_to_buffer(&stopwatch.resolved, 0, &self.buffer, times, TIMES_BYTES);
         }
         self.submission = Some(gpu.queue().submit([encoder.finish()]));
         self.state.store(PENDING, Ordering::Release);
@@ -132,6 +187,21 @@ impl Slot {
                 let outcome = if result.is_ok() { MAPPED } else { FAILED };
                 state.store(outcome, Ordering::Release);
             });
+    }
+
+    fn copy_picture(&self, encoder: &mut wgpu::CommandEncoder, target: &Target) {
+        encoder.copy_texture_to_buffer(
+            target.texture().as_image_copy(),
+            wgpu::TexelCopyBufferInfo {
+                buffer: &self.buffer,
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(self.layout.stride),
+                    rows_per_image: None,
+                },
+            },
+            target.texture().size(),
+        );
     }
 
     /// Waits a moment for the picture; `false` means that it is still being drawn.
@@ -148,6 +218,14 @@ impl Slot {
             )),
             (_, Ok(_) | Err(wgpu::PollError::Timeout)) => Ok(false),
             (_, Err(error)) => Err(GpuError::Lost(error.to_string())),
+        }
+    }
+
+    /// Whether everything is back, without waiting.
+    pub fn has_come_back(&self) -> Result<bool, GpuError> {
+        match self.state.load(Ordering::Acquire) {
+            FAILED => Err(GpuError::Lost("findings could not be read back".to_owned())),
+            state => Ok(state == MAPPED),
         }
     }
 
@@ -179,13 +257,18 @@ impl Slot {
         })
     }
 
+    /// The words of findings alone; frees the slot.
+    pub fn take_findings(&mut self, gpu: &Gpu) -> Result<Vec<u32>, GpuError> {
+        Ok(self.take_rows(gpu, |_| {})?.findings)
+    }
+
     /// Hands out the rows, the top one first, and frees the slot.
     fn take_rows(
         &mut self,
         gpu: &Gpu,
         mut each: impl FnMut(&[u8]),
     ) -> Result<Transferred, GpuError> {
-        let gpu_seconds;
+        let (gpu_seconds, findings);
         {
             let mapped = self
                 .buffer
@@ -193,17 +276,25 @@ impl Slot {
                 .map_err(|error| GpuError::Lost(error.to_string()))?;
             let row = (self.format.stride() * self.size.x) as usize;
             for y in (0..self.size.y as usize).rev() {
-                each(&mapped[y * self.stride as usize..][..row]);
+                each(&mapped[y * self.layout.stride as usize..][..row]);
             }
-            gpu_seconds = self.stopwatch.as_ref().map(|_| {
-                let end = mapped.len();
+            let words = mapped[self.layout.findings as usize..].chunks_exact(4);
+            findings = words
+                .take(self.layout.finding_words as usize)
+                .map(bytemuck::pod_read_unaligned)
+                .collect();
+            gpu_seconds = self.layout.times.map(|times| {
+                let times = times as usize;
                 let tick = |at: usize| -> u64 { bytemuck::pod_read_unaligned(&mapped[at..at + 8]) };
-                let ticks = tick(end - 8).saturating_sub(tick(end - 16));
+                let ticks = tick(times + 8).saturating_sub(tick(times));
                 ticks as f64 * f64::from(gpu.queue().get_timestamp_period()) * 1e-9
             });
         }
         self.buffer.unmap();
-        Ok(Transferred { gpu_seconds })
+        Ok(Transferred {
+            gpu_seconds,
+            findings,
+        })
     }
 }
 

@@ -4,7 +4,7 @@ use glam::UVec2;
 
 use super::{OpenError, Session};
 use crate::frame::{FloatImage, FrameInput};
-use crate::render::{Format, Gpu, GpuError, ReadBack, Slot, Target};
+use crate::render::{Extras, Format, Gpu, GpuError, ReadBack, Slot, Target};
 use crate::scene::Source;
 use crate::translate;
 
@@ -25,6 +25,8 @@ pub struct Drawn {
     pub image: FloatImage,
     /// How long the device drew, if it can tell.
     pub seconds: Option<f64>,
+    /// The words of findings, if the program looks for something.
+    pub findings: Vec<u32>,
 }
 
 impl Subject {
@@ -37,7 +39,11 @@ impl Subject {
     ) -> Result<Self, OpenError> {
         let session = Session::open_for(gpu, source, options, Format::Floats)?;
         let target = Target::new(gpu, size, Format::Floats)?;
-        let mut ring = ReadBack::new(gpu, &target, 1, true)?;
+        let extras = Extras {
+            times: true,
+            finding_words: session.renderer.finding_words(),
+        };
+        let mut ring = ReadBack::new(gpu, &target, 1, extras)?;
         let slot = ring.slots.pop().expect("one slot was asked for");
         Ok(Subject {
             session,
@@ -64,7 +70,11 @@ impl Subject {
             waiting();
         }
         let mut image = FloatImage::default();
-        let seconds = self.slot.take_floats(gpu, &mut image)?.gpu_seconds;
-        Ok(Drawn { image, seconds })
+        let transferred = self.slot.take_floats(gpu, &mut image)?;
+        Ok(Drawn {
+            image,
+            seconds: transferred.gpu_seconds,
+            findings: transferred.findings,
+        })
     }
 }

@@ -1,7 +1,9 @@
 //! The live triple of scene, programs and renderer: the same in window, export and tests.
 
+mod findings;
 mod floats;
 
+pub use findings::Findings;
 pub use floats::{Drawn, Subject};
 
 use std::path::PathBuf;
@@ -10,7 +12,7 @@ use std::time::{Duration, Instant};
 use crate::render::{Format, Gpu, GpuError, Renderer};
 use crate::scene::{self, Input, LoadError, LoadErrorKind, PassKind, Scene, Source};
 use crate::source::{Diagnostic, Report, Span};
-use crate::translate::{self, Arithmetic, Program};
+use crate::translate::{self, Arithmetic, Checks, Program};
 
 /// How many rounds loops that are not known to end may make in a pixel: some tenths of a second on a
 /// GPU, and hundreds of times what any picture needs that is drawn while someone watches.
@@ -122,6 +124,12 @@ impl Session {
             arithmetic: Arithmetic::Expanded,
             // A loop that never ends must not take the machine with it.
             round_budget: Some(options.round_budget.unwrap_or(ROUND_BUDGET)),
+            round_limit: options.round_limit.or(gpu.round_limit()),
+            checks: match &options.checks {
+                // Without it a loop that is cut off is merely not told of.
+                Checks::Loops if !gpu.can_note_findings() => Checks::None,
+                checks => checks.clone(),
+            },
             ..options.clone()
         };
         let programs = translate::translate(&scene, &options).map_err(in_scene)?;

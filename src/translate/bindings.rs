@@ -24,6 +24,9 @@ pub const fn sampler(channel: usize) -> u32 {
 /// Binding of the buffer of constant tables.
 pub const TABLES: u32 = 1 + 2 * CHANNELS as u32;
 
+/// Binding of the buffer that findings go to.
+pub const FINDINGS: u32 = TABLES + 1;
+
 /// The most bytes of the uniform block: all of ShaderToy's, and room for some of the author's.
 pub const BLOCK_SIZE: u32 = 1024;
 
@@ -41,6 +44,7 @@ pub static INTERFACE: LazyLock<Interface> = LazyLock::new(|| Interface {
         })
         .collect(),
     tables: TABLES,
+    findings: FINDINGS,
 });
 
 /// ShaderToy's uniforms, in the order in which the site declares them.

@@ -9,6 +9,7 @@ use std::array;
 use std::collections::{BTreeSet, HashSet};
 
 pub mod bindings;
+mod finding;
 mod guard;
 mod plain;
 mod preamble;
@@ -17,7 +18,9 @@ mod program;
 mod refusal;
 mod write;
 
+pub use crate::glsl::lower::{Checks, Hazard, OPERAND_WORDS};
 pub use crate::glsl::{Arithmetic, Precision};
+pub use finding::{Finding, Site};
 #[cfg(feature = "gpu")]
 pub(crate) use guard::caught;
 use plain::Plain;
@@ -51,6 +54,10 @@ pub struct Options {
     /// How many rounds all loops that are not known to end may make in a pixel together; behind that
     /// they end at once. Without it the renderer asks for guards instead, which end no loop soon.
     pub round_budget: Option<u32>,
+    /// How many rounds one run of such a loop may make at most.
+    pub round_limit: Option<u32>,
+    /// What the program looks for while it runs.
+    pub checks: Checks,
 }
 
 /// Translates every pass of a scene, in the scene's order.
@@ -206,6 +213,10 @@ impl Text<'_> {
         let channels = array::from_fn(|channel| names.find(bindings::channel_name(channel)));
         let program = self.lower(checked.hir, tokens, options)?;
         diagnostics.extend(self.unbound_channels(&program, channels, tokens));
+        if options.checks == Checks::All {
+            // It sees for itself what these only suspect.
+            diagnostics.retain(|d| !matches!(d.code, "reversed-smoothstep" | "unset-variable"));
+        }
         let unused = preprocessed.unused_overrides;
         Ok(Program {
             warnings: self.in_authors_files(diagnostics),
@@ -237,7 +248,9 @@ impl Text<'_> {
                 arithmetic: options.arithmetic,
                 output,
                 round_budget: options.round_budget,
+                round_limit: options.round_limit,
                 interface: &bindings::INTERFACE,
+                checks: options.checks.clone(),
                 double_functions: &double_functions,
             },
         );
@@ -259,9 +272,18 @@ impl Text<'_> {
             accesses: in_own_files(&lowered.unguarded.accesses),
             divisions: in_own_files(&lowered.unguarded.divisions),
         };
-        let loops = lowered.loops.iter().map(|&extent| places.span(extent));
-        let loops = loops
-            .map(|span| span.filter(|span| self.is_authors(span)))
+        let own = |extent| places.span(extent).filter(|span| self.is_authors(span));
+        let loops = lowered.loops.iter().map(|&extent| own(extent)).collect();
+        let sites = lowered.sites.iter();
+        let sites = sites
+            .map(|site| {
+                Site::new(
+                    site.clone(),
+                    own(site.extent),
+                    places.origin(site.extent),
+                    &hir,
+                )
+            })
             .collect();
         drop(hir);
         let internal = |message: &str| vec![refusal::internal(message).at(self.end())];
@@ -276,6 +298,7 @@ impl Text<'_> {
         )
         .map_err(|message| internal(&message))?;
         program.components = components;
+        program.sites = sites;
         // What validates can be written: this is for whoever changes that by mistake.
         if cfg!(debug_assertions) {
             write::spirv(&program).map_err(|message| internal(&message))?;

@@ -5,6 +5,7 @@ use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{Expression, Function, GlobalVariable, Handle, Module, TypeInner};
 
 use super::bindings::{self, Uniform};
+use super::finding::Site;
 use crate::glsl::Precision;
 use crate::glsl::lower::Lowered;
 pub use crate::glsl::lower::Tables;
@@ -35,6 +36,10 @@ pub struct Program {
     /// Every loop of the functions that are used, by its number; `None` where it is none of the
     /// author's.
     pub loops: Vec<Option<Span>>,
+    /// Every place that [`Options::checks`](super::Options::checks) looks at.
+    pub sites: Vec<Site>,
+    /// How many words the buffer must have that it notes its findings in, if it does.
+    pub findings: Option<u32>,
     /// How many components of what it gives for a pixel mean something: all four, but for a probe.
     pub components: u8,
     /// The rounds that loops not known to end may make in a pixel, see
@@ -125,6 +130,8 @@ impl Program {
             guards,
             loops,
             round_budget,
+            sites: Vec::new(),
+            findings: lowered.findings,
             components: 4,
             unused_overrides: Vec::new(),
             warnings: Vec::new(),

@@ -114,9 +114,10 @@ impl App {
 
     /// Lets the GPU's finished work call back.
     fn glance(&mut self) -> Result<(), PlayError> {
-        if let Some(stage) = &self.stage {
+        if let Some(stage) = &mut self.stage {
             stage.gpu.poll();
             stage.gpu.check()?;
+            stage.gather(&self.wakes)?;
         }
         Ok(())
     }
@@ -198,7 +199,7 @@ impl App {
                     ready: opened.began + session.timing.total(),
                 });
                 self.options.source = opened.source;
-                self.take(session, reload, is_new);
+                self.take(session, reload, is_new)?;
             }
             Err(error) => self.refuse(error, is_new)?,
         }
@@ -209,7 +210,12 @@ impl App {
     }
 
     /// The scene on stage is this one from now on. Time runs on, unless it is another scene.
-    fn take(&mut self, session: Session, reload: Option<Reload>, is_new: bool) {
+    fn take(
+        &mut self,
+        session: Session,
+        reload: Option<Reload>,
+        is_new: bool,
+    ) -> Result<(), PlayError> {
         report::show(&session.warnings);
         if let Some(watch) = &mut self.watch {
             watch.follow(&session.scene.read);
@@ -219,8 +225,9 @@ impl App {
             self.mouse = Mouse::default();
         }
         if let Some(stage) = &mut self.stage {
-            stage.replace(session, reload);
+            stage.replace(session, reload)?;
         }
+        Ok(())
     }
 
     /// Says what is wrong, in the terminal and in the title; the scene on stage stays.
@@ -325,6 +332,7 @@ impl ApplicationHandler<Wake> for App {
     fn user_event(&mut self, event_loop: &ActiveEventLoop, wake: Wake) {
         match wake {
             Wake::Changed { at } => self.changed(at),
+            Wake::Found(report) => report::show(&report),
             Wake::Opened(opened) => {
                 let taken = self.opened(*opened);
                 self.expect(event_loop, taken);

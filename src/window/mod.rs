@@ -5,6 +5,7 @@
 //! keeps moving.
 
 mod app;
+mod findings;
 mod input;
 mod picture;
 mod stage;
@@ -20,6 +21,7 @@ use winit::event_loop::EventLoop;
 use crate::render::{AdapterChoice, GpuError, Watchdog};
 use crate::scene::Source;
 use crate::session::{OpenError, Session};
+use crate::source::Report;
 use crate::translate;
 
 /// What to play, and how.
@@ -77,6 +79,8 @@ enum Wake {
     Changed { at: Instant },
     /// A scene has been opened on the side, or not.
     Opened(Box<Opened>),
+    /// Something has gone wrong in a frame.
+    Found(Report),
     /// A reloaded scene's first frame has been drawn.
     FirstFrame {
         reload: Reload,

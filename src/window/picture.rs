@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::frame::FrameImage;
 use crate::output::PngSink;
-use crate::render::{Gpu, GpuError, ReadBack, Target};
+use crate::render::{Extras, Gpu, GpuError, ReadBack, Target};
 
 /// Writes the picture in `target` to the current folder, under a name made of the scene's and the
 /// time in seconds, and returns the file's name. Existing files stay.
@@ -24,7 +24,7 @@ pub(super) fn save(gpu: &Gpu, target: &Target, name: &str, time: f32) -> Result<
 }
 
 fn read(gpu: &Gpu, target: &Target) -> Result<FrameImage, GpuError> {
-    let mut read_back = ReadBack::new(gpu, target, 1, false)?;
+    let mut read_back = ReadBack::new(gpu, target, 1, Extras::default())?;
     let slot = &mut read_back.slots[0];
     slot.copy_of(gpu, target);
     while !slot.is_ready(gpu)? {}

@@ -7,6 +7,7 @@ use winit::dpi::PhysicalSize;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 use winit::window::{Fullscreen, Window};
 
+use super::findings::Gatherer;
 use super::title::Title;
 use super::{Options, PlayError, Reload, Wake, input};
 use crate::frame::{Clock, FrameInput};
@@ -31,7 +32,7 @@ pub(super) struct Stage {
     pub window: Arc<Window>,
     pub gpu: Arc<Gpu>,
     pub target: Target,
-    pub session: Session,
+    pub session: Arc<Session>,
     /// The latest frame that was drawn.
     pub shown: Option<FrameInput>,
     /// Whether a frame should be drawn although time stands still.
@@ -41,6 +42,7 @@ pub(super) struct Stage {
     /// When to try presenting again, after the window took no picture.
     present_after: Instant,
     presenter: Presenter,
+    gatherer: Option<Gatherer>,
     options: Options,
     /// Whether the target holds a frame that the window has not been given.
     unpresented: bool,
@@ -76,10 +78,11 @@ impl Stage {
         let session =
             Session::open(&gpu, &options.source, &options.translate).map_err(PlayError::Open)?;
         Ok(Stage {
+            gatherer: Gatherer::new(&gpu, &session)?,
             window,
             gpu: Arc::new(gpu),
             target,
-            session,
+            session: Arc::new(session),
             shown: None,
             stale: true,
             next_frame: Instant::now(),
@@ -148,8 +151,10 @@ impl Stage {
         wakes: &EventLoopProxy<Wake>,
     ) -> Result<(), PlayError> {
         let started = Instant::now();
+        let gatherer = self.gatherer.as_mut();
+        let slot = gatherer.and_then(|gatherer| gatherer.slot(input));
         let renderer = &self.session.renderer;
-        renderer.render(&self.gpu, input, &self.target, None);
+        renderer.render(&self.gpu, input, &self.target, slot);
         self.shown = Some(*input);
         self.stale = false;
         self.under_way.fetch_add(1, Ordering::Relaxed);
@@ -178,6 +183,14 @@ impl Stage {
         }
     }
 
+    /// Takes in what went wrong in the frames that are done.
+    pub fn gather(&mut self, wakes: &EventLoopProxy<Wake>) -> Result<(), PlayError> {
+        if let Some(gatherer) = &mut self.gatherer {
+            gatherer.gather(&self.gpu, &self.session, wakes)?;
+        }
+        Ok(())
+    }
+
     /// Gives the window the latest picture, also again where the system has lost it.
     pub fn present(&mut self) -> Result<(), PlayError> {
         if self.shown.is_none() {
@@ -193,12 +206,14 @@ impl Stage {
     }
 
     /// The next frame is this scene's.
-    pub fn replace(&mut self, session: Session, reload: Option<Reload>) {
-        self.session = session;
+    pub fn replace(&mut self, session: Session, reload: Option<Reload>) -> Result<(), PlayError> {
+        self.gatherer = Gatherer::new(&self.gpu, &session)?;
+        self.session = Arc::new(session);
         self.fresh = reload;
         self.problem = None;
         self.titled = None;
         self.stale = true;
+        Ok(())
     }
 
     /// Something is wrong with the scene's latest state.

@@ -62,6 +62,8 @@ pub fn compile(text: &str, uniforms: Vec<String>) -> Result<Lowered, Refusal> {
         arithmetic: Arithmetic::Expanded,
         output: lower::Output::Colour,
         round_budget: None,
+        round_limit: None,
+        checks: lower::Checks::None,
         interface: &Interface {
             group: GROUP,
             block: BLOCK,
@@ -69,6 +71,7 @@ pub fn compile(text: &str, uniforms: Vec<String>) -> Result<Lowered, Refusal> {
             block_size: 1 << 14,
             samplers: Vec::new(),
             tables: TABLES,
+            findings: 10,
         },
         double_functions: &double_functions,
     };

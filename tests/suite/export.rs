@@ -38,7 +38,7 @@ fn a_file_holds_exactly_the_frame_of_its_number() {
     let folder = Folder::new();
     let job = job(&folder, Frames::Range(3..20));
     let mut told = Vec::new();
-    let summary = export(gpu, &session.renderer, &job, &no_watch(), &mut |written| {
+    let summary = export(gpu, &session, &job, &no_watch(), &mut |written| {
         told.push(written);
         true
     });
@@ -62,7 +62,7 @@ fn it_stops_when_told_and_the_files_have_no_gap() {
     let folder = Folder::new();
     let job = job(&folder, Frames::Range(0..500));
     let mut calls = 0;
-    let summary = export(gpu, &session.renderer, &job, &no_watch(), &mut |_| {
+    let summary = export(gpu, &session, &job, &no_watch(), &mut |_| {
         calls += 1;
         calls < 5
     });
@@ -79,7 +79,7 @@ fn what_is_in_the_way_is_left_alone() {
     let session = open(gpu, &pasted(WAVES));
     let folder = Folder::with("new/002.png", "mine");
     let mut job = job(&folder, Frames::Range(0..4));
-    let run = |job: &Job| export(gpu, &session.renderer, job, &no_watch(), &mut |_| true);
+    let run = |job: &Job| export(gpu, &session, job, &no_watch(), &mut |_| true);
     match run(&job) {
         Err(ExportError::Exists { first, count: 1 }) => assert!(first.ends_with("002.png")),
         other => panic!("{other:?}"),
@@ -102,7 +102,7 @@ fn a_watchdog_is_not_alarmed_by_an_export() {
         |_| panic!("no frame is stuck"),
     );
     let job = job(&folder, Frames::At(0.5));
-    export(gpu, &session.renderer, &job, &watchdog, &mut |_| true).expect("an export");
+    export(gpu, &session, &job, &watchdog, &mut |_| true).expect("an export");
     assert_eq!(folder.files(), ["new/005.png"]);
 }
 

@@ -55,6 +55,8 @@ mod outputs;
 #[cfg(feature = "gpu")]
 mod reload;
 #[cfg(feature = "gpu")]
+mod sanitize;
+#[cfg(feature = "gpu")]
 mod scenes;
 #[cfg(all(feature = "window", target_os = "linux"))]
 mod stability;

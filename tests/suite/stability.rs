@@ -16,6 +16,7 @@ fn verdicts(gpu: &Gpu, text: &str, defines: &[(String, Vec<String>)]) -> Vec<Ver
         &mut |_, _| {},
     )
     .expect("a good scene")
+    .verdicts
 }
 
 #[track_caller]

@@ -9,6 +9,7 @@ use smallvec::SmallVec;
 
 use super::expression::Typed;
 use super::function::{Builder, H};
+use super::sanitize::{Form, Here};
 use crate::glsl::Precision;
 use crate::glsl::builtins::Builtin;
 use crate::glsl::hir::Operands;
@@ -19,7 +20,13 @@ use MathFunction as M;
 
 impl Builder<'_, '_> {
     /// Calls a built-in function.
-    pub(super) fn builtin(&mut self, builtin: Builtin, operands: Operands, ty: Type) -> H {
+    pub(super) fn builtin(
+        &mut self,
+        builtin: Builtin,
+        operands: Operands,
+        ty: Type,
+        tree: Option<Here>,
+    ) -> H {
         let ids = self.source.operands.get(operands);
         if is_texture(builtin) {
             return self.texture(builtin, ids, ty);
@@ -29,9 +36,24 @@ impl Builder<'_, '_> {
             let place = self.place(ids[1]);
             let whole = self.math(M::Trunc, &[value]);
             self.store_place(place, whole);
+            self.mark_set(ids[1]);
             return self.difference(value, whole);
         }
-        let operands: SmallVec<[Typed; 4]> = ids.iter().map(|&id| self.typed(id)).collect();
+        let types: SmallVec<[Type; 4]> = ids.iter().map(|&id| self.source.exprs[id].ty).collect();
+        let suspect = self.suspect(Form::Call(builtin), &types, ty, tree);
+        let mut operands: SmallVec<[Typed; 4]> = SmallVec::new();
+        for (i, &id) in ids.iter().enumerate() {
+            self.within(suspect, i);
+            operands.push(self.typed(id));
+        }
+        let found = self.check_arguments(builtin, &operands);
+        let value = self.of_values(builtin, &operands, ty);
+        self.check_result(suspect, &operands, Typed { value, ty }, found);
+        value
+    }
+
+    /// A function of values alone.
+    fn of_values(&mut self, builtin: Builtin, operands: &[Typed], ty: Type) -> H {
         let values: SmallVec<[H; 4]> = operands.iter().map(|operand| operand.value).collect();
         let first = operands[0].ty;
         match builtin {
@@ -107,7 +129,7 @@ impl Builder<'_, '_> {
     }
 
     /// A scalar operand as a vector of equal components.
-    fn broadcast(&mut self, operand: Typed, size: u8) -> H {
+    pub(super) fn broadcast(&mut self, operand: Typed, size: u8) -> H {
         if operand.ty.is_scalar() {
             self.splat(operand.value, size)
         } else {
@@ -281,7 +303,7 @@ impl Builder<'_, '_> {
         self.math(M::Sqrt, &[square])
     }
 
-    fn dot_of(&mut self, left: H, right: H, ty: Type) -> H {
+    pub(super) fn dot_of(&mut self, left: H, right: H, ty: Type) -> H {
         match ty.vector_size() {
             Some(1) | None => self.product(left, right),
             Some(size) => self.dot(left, right, size),

@@ -38,6 +38,7 @@ impl Builder<'_, '_> {
         let mut arguments = Vec::with_capacity(operands.len());
         let mut nulls = Nulls::new();
         let mut copies: Vec<(H, Place)> = Vec::new();
+        let mut outputs_set: SmallVec<[Id<Expr>; 4]> = SmallVec::new();
         for (i, (&operand, &direction)) in operands.iter().zip(&callee.parameters).enumerate() {
             let parameter = Id::new(i);
             let ty = callee.locals[parameter].ty;
@@ -53,6 +54,7 @@ impl Builder<'_, '_> {
                     }
                 }
             } else if is_pointer(direction) {
+                outputs_set.push(operand);
                 let place = self.place(operand);
                 match place.source {
                     Source::Pointer(pointer)
@@ -89,6 +91,9 @@ impl Builder<'_, '_> {
             let value = self.load(copy);
             self.store_place(place, value);
             self.release(place.ty, copy);
+        }
+        for place in outputs_set {
+            self.mark_set(place);
         }
         result
     }

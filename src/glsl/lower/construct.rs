@@ -5,14 +5,23 @@ use smallvec::{SmallVec, smallvec};
 use super::expression::Typed;
 use super::function::{Builder, H};
 use super::matrix::sides;
+use super::sanitize::Here;
 use crate::glsl::hir::Operands;
 use crate::glsl::types::{Base, Scalar, Type};
 
 impl Builder<'_, '_> {
     /// A value of the given type, made of the operands.
-    pub(super) fn construct(&mut self, operands: Operands, ty: Type) -> H {
+    pub(super) fn construct(&mut self, operands: Operands, ty: Type, tree: Option<Here>) -> H {
         let operands = self.source.operands.get(operands);
-        let values: SmallVec<[Typed; 4]> = operands.iter().map(|&id| self.typed(id)).collect();
+        // Components hand on what is not finite.
+        let tree = tree.filter(|_| ty.scalar() == Some(Scalar::Float));
+        let values: SmallVec<[Typed; 4]> = operands
+            .iter()
+            .map(|&id| {
+                self.tree = tree;
+                self.typed(id)
+            })
+            .collect();
         match (ty.array, ty.base) {
             (Some(_), _) | (None, Base::Struct(_)) => {
                 let components = values.iter().map(|operand| operand.value).collect();
@@ -45,6 +54,7 @@ impl Builder<'_, '_> {
 
     fn convert_typed(&mut self, operand: Typed, to: Scalar) -> H {
         let from = operand.ty.scalar().expect("operands are numbers");
+        self.check_conversion(operand, to);
         self.convert(operand.value, from, to)
     }
 

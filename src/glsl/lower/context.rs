@@ -7,6 +7,7 @@ use smallvec::{SmallVec, smallvec};
 use super::constant::Part;
 use super::function::Room;
 use super::output::{self, Record};
+use super::sanitize::Sanitizer;
 use super::table::TableBuilder;
 use super::types::is_opaque;
 use super::{Excess, Lowered, Options, Unguarded, UniformBlock};
@@ -38,10 +39,12 @@ pub(super) struct Context<'a> {
     pub tables: TableBuilder,
     pub uniforms: Option<UniformBlock>,
     pub unguarded: Unguarded,
-    /// Every loop, in the order of the text.
-    pub loops: Vec<Extent>,
+    /// Every loop, in the order of the text, and whether it is known to end.
+    pub loops: Vec<(Extent, bool)>,
     /// What is given for a pixel instead of its colour.
     pub record: Record,
+    /// What is looked at, and where findings are noted.
+    pub sanitizer: Sanitizer,
     /// What the next function's builder begins with.
     pub room: Room,
     /// How many expressions there are in all functions.
@@ -89,6 +92,7 @@ impl<'a> Context<'a> {
             unguarded: Unguarded::default(),
             loops: output::loops(hir, reachable),
             record: Record::default(),
+            sanitizer: Sanitizer::default(),
             room: Room::default(),
             operations: 0,
             excess: None,
@@ -98,6 +102,7 @@ impl<'a> Context<'a> {
         }
         context.add_uniforms();
         context.add_record();
+        context.add_findings();
         for &id in &reachable.globals {
             context.add_global(id);
         }
@@ -244,6 +249,7 @@ impl<'a> Context<'a> {
 
     pub fn finish(mut self) -> Lowered {
         let tables = self.finish_tables();
+        let (sites, findings) = self.finish_findings();
         let order = |extent: &Extent| (extent.first, extent.last);
         let Unguarded {
             loops,
@@ -260,7 +266,9 @@ impl<'a> Context<'a> {
             uniforms: self.uniforms,
             tables,
             unguarded: self.unguarded,
-            loops: self.loops,
+            loops: self.loops.into_iter().map(|(extent, _)| extent).collect(),
+            sites,
+            findings,
             excess: self.excess,
         }
     }

@@ -39,6 +39,7 @@ impl Context<'_> {
                 per_primitive: false,
             }),
         });
+        builder.note_pixel(position);
         let position = builder.widen(position);
         builder.entry = Some(Entry { position });
         builder.set_globals(position);

@@ -6,9 +6,10 @@ use naga::{BinaryOperator, Statement};
 use super::constant::Part;
 use super::function::{Builder, H};
 use super::place::{Place, Source};
+use super::sanitize::{Form, Suspect};
 use crate::glsl::arena::Id;
 use crate::glsl::builtins::Builtin;
-use crate::glsl::hir::{BinaryOp, Expr, ExprKind, UnaryOp};
+use crate::glsl::hir::{BinaryOp, Expr, ExprKind, Extent, UnaryOp};
 use crate::glsl::types::{Base, Scalar, Type};
 
 /// What may be computed in vain to spare a branch, in operations.
@@ -27,6 +28,7 @@ impl Builder<'_, '_> {
 
     fn value_here(&mut self, id: Id<Expr>) -> H {
         let Expr { kind, ty, extent } = self.source.exprs[id];
+        let tree = self.tree.take();
         match kind {
             ExprKind::Constant(constant) => self.constant(Part::whole(constant), ty),
             ExprKind::Local(_)
@@ -34,18 +36,25 @@ impl Builder<'_, '_> {
             | ExprKind::Index(..)
             | ExprKind::Member(..)
             | ExprKind::Swizzle(..) => {
+                self.check_set(id);
                 let place = self.place(id);
                 self.load_place(place)
             }
             ExprKind::Unary(op, operand) => {
                 let of = self.source.exprs[operand].ty;
+                self.tree = tree;
                 let operand = self.value(operand);
                 self.unary(op, operand, of)
             }
             ExprKind::Binary(op, left, right) => {
+                let form = Form::Operator(op);
+                let types = [left, right].map(|operand| self.source.exprs[operand].ty);
+                let suspect = self.suspect(form, &types, ty, tree);
+                self.within(suspect, 0);
                 let left = self.typed(left);
+                self.within(suspect, 1);
                 let right = self.typed(right);
-                self.operate(op, left, right, extent)
+                self.operate_checked(op, [left, right], extent, ty, suspect)
             }
             ExprKind::And(..) | ExprKind::Or(..) | ExprKind::Ternary(..) => {
                 if let Some(value) = self.without_branch(id) {
@@ -61,22 +70,29 @@ impl Builder<'_, '_> {
                 self.effect(first);
                 self.value(second)
             }
-            ExprKind::Assign(place, value) => {
-                let place = self.place(place);
+            ExprKind::Assign(target, value) => {
+                let place = self.place(target);
                 let value = self.value(value);
                 self.store_place(place, value);
+                self.mark_set(target);
                 value
             }
-            ExprKind::Compound(op, place, operand) => {
-                let place = self.place(place);
+            ExprKind::Compound(op, target, operand) => {
+                let place = self.place(target);
                 // The place is read last: so do all compilers of GLSL, and golfed code counts on it.
+                let form = Form::Operator(op);
+                let types = [target, operand].map(|operand| self.source.exprs[operand].ty);
+                let suspect = self.suspect(form, &types, ty, tree);
+                self.within(suspect, 1);
                 let right = self.typed(operand);
+                self.check_set(target);
                 let left = Typed {
                     value: self.load_place(place),
                     ty: place.ty,
                 };
-                let value = self.operate(op, left, right, extent);
+                let value = self.operate_checked(op, [left, right], extent, ty, suspect);
                 self.store_place(place, value);
+                self.mark_set(target);
                 value
             }
             ExprKind::Increment {
@@ -87,12 +103,28 @@ impl Builder<'_, '_> {
                 let (old, new) = self.increment(place, down, extent);
                 if prefix { new } else { old }
             }
-            ExprKind::Construct(operands) => self.construct(operands, ty),
+            ExprKind::Construct(operands) => self.construct(operands, ty, tree),
             ExprKind::Call(function, operands) => self
                 .call(function, operands)
                 .expect("what is void has no value"),
-            ExprKind::Builtin(builtin, operands) => self.builtin(builtin, operands, ty),
+            ExprKind::Builtin(builtin, operands) => self.builtin(builtin, operands, ty, tree),
         }
+    }
+
+    /// Applies an operator but `&&` and `||`, and looks at what that does.
+    fn operate_checked(
+        &mut self,
+        op: BinaryOp,
+        operands: [Typed; 2],
+        at: Extent,
+        ty: Type,
+        suspect: Option<Suspect>,
+    ) -> H {
+        let [left, right] = operands;
+        let found = self.check_operands(op, left, right);
+        let value = self.operate(op, left, right, at);
+        self.check_result(suspect, &operands, Typed { value, ty }, found);
+        value
     }
 
     /// A value together with its type.
@@ -185,6 +217,10 @@ impl Builder<'_, '_> {
 
     /// A choice of which both sides are evaluated, if that is harmless and cheap.
     fn without_branch(&mut self, id: Id<Expr>) -> Option<H> {
+        if self.is_sanitized() {
+            // What is computed in vain would be found fault with.
+            return None;
+        }
         let Expr { kind, ty, .. } = self.source.exprs[id];
         match kind {
             ExprKind::And(left, right) | ExprKind::Or(left, right) => {
@@ -299,13 +335,9 @@ impl Builder<'_, '_> {
     }
 
     /// The values before and after `++` or `--`.
-    fn increment(
-        &mut self,
-        place: Id<Expr>,
-        down: bool,
-        extent: crate::glsl::hir::Extent,
-    ) -> (H, H) {
-        let place = self.place(place);
+    fn increment(&mut self, target: Id<Expr>, down: bool, extent: Extent) -> (H, H) {
+        self.check_set(target);
+        let place = self.place(target);
         let Place { ty, .. } = place;
         let scalar = ty.scalar().expect("only numbers are counted");
         debug_assert!(
@@ -322,8 +354,11 @@ impl Builder<'_, '_> {
         } else {
             BinaryOp::Add
         };
-        let new = self.operate(op, Typed { value: old, ty }, one, extent);
+        let operands = [Typed { value: old, ty }, one];
+        let suspect = self.suspect(Form::Operator(op), &[ty, one.ty], ty, None);
+        let new = self.operate_checked(op, operands, extent, ty, suspect);
         self.store_place(place, new);
+        self.mark_set(target);
         (old, new)
     }
 

@@ -6,6 +6,7 @@ use rustc_hash::FxHashMap;
 use super::context::{Context, Nulls, is_pointer};
 use super::emit::Shared;
 use super::range::Ranges;
+use super::sanitize::Here;
 use super::types::is_opaque;
 use crate::glsl::arena::Id;
 use crate::glsl::hir::{self, Constant, Direction, Extent};
@@ -31,6 +32,10 @@ pub(super) struct Builder<'c, 'a> {
     pub temporaries: FxHashMap<Type, Vec<H>>,
     /// What is known of integers.
     pub ranges: Ranges,
+    /// Which components are set of variables that begin without a value.
+    pub marks: FxHashMap<Id<hir::Local>, H>,
+    /// The operation that the next value is an operand of, if that hands on what is not finite.
+    pub tree: Option<Here>,
     /// The loops that the present statement stands in.
     pub loops: Vec<&'a hir::Loop>,
     /// Whether a declaration may be jumped over by the statements that see it.
@@ -117,6 +122,8 @@ impl<'c, 'a> Builder<'c, 'a> {
             span: Span::UNDEFINED,
             temporaries: FxHashMap::default(),
             ranges: Ranges::default(),
+            marks: FxHashMap::default(),
+            tree: None,
             loops: Vec::new(),
             in_arm: false,
             entry: None,
@@ -193,7 +200,10 @@ impl<'c, 'a> Builder<'c, 'a> {
         for (id, pointer, value) in copies {
             match value {
                 Some(value) => self.store(pointer, value),
-                None => self.store_zero(pointer, self.source.locals[id].ty),
+                None => {
+                    self.store_zero(pointer, self.source.locals[id].ty);
+                    self.begin_unset(id);
+                }
             }
         }
         let result = self.source.result;
@@ -257,6 +267,7 @@ impl<'c, 'a> Builder<'c, 'a> {
     pub fn leave(&mut self, value: Option<H>) {
         self.record_value(value);
         let value = if self.entry.is_some() {
+            self.flush_findings();
             Some(self.output())
         } else {
             value

@@ -17,6 +17,8 @@ pub struct Interface {
     pub samplers: Vec<HostSampler>,
     /// The binding of the buffer of constant tables.
     pub tables: u32,
+    /// The binding of the buffer that findings go to.
+    pub findings: u32,
 }
 
 /// A sampler uniform that the host gives a texture.

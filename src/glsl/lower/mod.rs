@@ -22,6 +22,7 @@ mod operator;
 mod output;
 mod place;
 mod range;
+mod sanitize;
 mod statement;
 mod switch;
 mod table;
@@ -39,6 +40,7 @@ use super::{Arithmetic, Precision};
 
 pub use interface::{HostSampler, Interface, Tables, UniformBlock, UniformMember};
 pub use output::{Output, Watched, can_be_watched};
+pub use sanitize::{Checks, Form, Hazard, OPERAND_WORDS, Site};
 
 /// How to lower a program.
 #[derive(Clone, Debug)]
@@ -52,6 +54,11 @@ pub struct Options<'a> {
     /// How many rounds all loops that are not known to end may make in a pixel together; behind that
     /// each of them ends at once. Without it a loop may go on for ever.
     pub round_budget: Option<u32>,
+    /// How many rounds one run of such a loop may make at most. Some drivers end it there without a word;
+    /// with this it is noted.
+    pub round_limit: Option<u32>,
+    /// What the program looks for while it runs.
+    pub checks: Checks,
     /// What the host binds.
     pub interface: &'a Interface,
     /// In double precision, the functions to compute built-in functions with that graphics drivers
@@ -73,6 +80,10 @@ pub struct Lowered {
     pub unguarded: Unguarded,
     /// Every loop of the functions that are needed, in the order of the text.
     pub loops: Vec<Extent>,
+    /// Every place that [`Options::checks`] looks at, by its number.
+    pub sites: Vec<Site>,
+    /// How many words the host's buffer of findings must have, if there is one.
+    pub findings: Option<u32>,
     /// Why the module is good for nothing, if it is.
     pub excess: Option<Excess>,
 }

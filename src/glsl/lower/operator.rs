@@ -110,7 +110,7 @@ impl Builder<'_, '_> {
     }
 
     /// The components of a value that naga can see are literals.
-    fn literals(&self, value: H, size: u8) -> Option<Vec<Literal>> {
+    pub(super) fn literals(&self, value: H, size: u8) -> Option<Vec<Literal>> {
         let expressions = &self.function.expressions;
         let literal = |value: H| match expressions[value] {
             Expression::Literal(literal) => Some(literal),

@@ -76,8 +76,8 @@ pub(super) struct Record {
     components: FxHashMap<(u32, u32), u32>,
 }
 
-/// The loops of the functions that are needed, in the order of the text.
-pub(super) fn loops(hir: &Hir, reachable: &Reachable) -> Vec<Extent> {
+/// The loops of the functions that are needed, in the order of the text, and whether each is known to end.
+pub(super) fn loops(hir: &Hir, reachable: &Reachable) -> Vec<(Extent, bool)> {
     let mut found = Vec::new();
     let functions = reachable.functions.iter().chain(&hir.initialisers);
     for &id in functions {
@@ -90,14 +90,14 @@ pub(super) fn loops(hir: &Hir, reachable: &Reachable) -> Vec<Extent> {
                     open.extend(switch.arms.iter().flat_map(|arm| &arm.body));
                 }
                 StmtKind::Loop(inner) => {
-                    found.push(stmt.extent);
+                    found.push((stmt.extent, inner.is_finite));
                     open.extend(&inner.body);
                 }
                 _ => {}
             }
         }
     }
-    found.sort_by_key(|extent| (extent.first, extent.last));
+    found.sort_by_key(|(extent, _)| (extent.first, extent.last));
     found.dedup();
     found
 }
@@ -114,7 +114,7 @@ impl Context<'_> {
         };
         if let Output::Rounds(first) = self.options.output {
             let counted = self.loops.iter().skip(first as usize).take(4);
-            let keys = counted.map(|extent| (extent.first, extent.last));
+            let keys = counted.map(|(extent, _)| (extent.first, extent.last));
             self.record.components = keys.zip(0..).collect();
         }
         let variable = match (self.options.output, self.record.spent) {
@@ -131,7 +131,7 @@ impl Context<'_> {
         }
     }
 
-    fn add_private(&mut self, name: &str, ty: Type) -> Handle<naga::GlobalVariable> {
+    pub fn add_private(&mut self, name: &str, ty: Type) -> Handle<naga::GlobalVariable> {
         let variable = naga::GlobalVariable {
             name: Some(name.to_owned()),
             space: AddressSpace::Private,
@@ -181,12 +181,52 @@ impl Builder<'_, '_> {
             return;
         };
         let pointer = self.global(variable);
-        let (before, one, budget) = (self.load(pointer), self.uint(1), self.uint(budget));
+        let (before, one, most) = (self.load(pointer), self.uint(1), self.uint(budget));
         let binary = |op, left, right| Expression::Binary { op, left, right };
-        let is_spent = self.add(binary(naga::BinaryOperator::Greater, before, budget));
-        self.branch(is_spent, |b| b.push(naga::Statement::Break), |_| {});
+        let is_spent = self.add(binary(naga::BinaryOperator::Greater, before, most));
+        self.branch(
+            is_spent,
+            |b| {
+                // It was this loop that used it up, and not any other that then ends for want of it.
+                let [last, over] = [1, 2].map(|rounds| b.uint(budget + rounds));
+                let is_first = b.binary(naga::BinaryOperator::Equal, before, last);
+                b.note_endless(is_first);
+                b.store(pointer, over);
+                b.push(naga::Statement::Break);
+            },
+            |_| {},
+        );
         let after = self.add(binary(naga::BinaryOperator::Add, before, one));
         self.store(pointer, after);
+    }
+
+    /// A counter for the rounds of one run of a loop, if there is a limit.
+    pub fn start_rounds(&mut self) -> Option<H> {
+        self.context.options.round_limit?;
+        let counter = self.acquire(Type::UINT);
+        let zero = self.uint(0);
+        self.store(counter, zero);
+        Some(counter)
+    }
+
+    /// Ends a loop when it has made as many rounds as it may.
+    pub fn limit_round(&mut self, counter: H) {
+        let Some(limit) = self.context.options.round_limit else {
+            return;
+        };
+        let (before, one, limit) = (self.load(counter), self.uint(1), self.uint(limit));
+        let is_over = self.binary(naga::BinaryOperator::GreaterEqual, before, limit);
+        self.branch(
+            is_over,
+            |b| {
+                let yes = b.bool(true);
+                b.note_endless(yes);
+                b.push(naga::Statement::Break);
+            },
+            |_| {},
+        );
+        let after = self.sum(before, one);
+        self.store(counter, after);
     }
 
     /// Counts a round of a loop, if it is one that is counted.

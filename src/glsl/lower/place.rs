@@ -7,6 +7,7 @@ use naga::{Expression, MathFunction};
 
 use super::constant::{Part, TABLE_SIZE};
 use super::context::Binding;
+use super::expression::Typed;
 use super::function::{Builder, H, Local};
 use crate::glsl::arena::Id;
 use crate::glsl::hir::{self, ExprKind, Swizzle, Value, value_count};
@@ -67,6 +68,8 @@ impl<'a> Builder<'_, 'a> {
                             return self.element_at(base, at, of);
                         }
                         self.context.unguarded.accesses.push(extent);
+                        let index = Typed { value: at, ty: of };
+                        self.check_index(index, count(base.ty), extent);
                         let at = self.not_negative(at, of);
                         self.element_at(base, at, of)
                     }

@@ -100,6 +100,7 @@ impl<'a> Builder<'_, 'a> {
                 return true;
             }
             StmtKind::Discard => {
+                self.flush_findings();
                 self.push(Statement::Kill);
                 return true;
             }
@@ -118,6 +119,9 @@ impl<'a> Builder<'_, 'a> {
                 Some(ExprKind::Constant(constant)) => Some(Local::Constant(constant)),
                 Some(_) => None,
             };
+            if value.is_none() {
+                self.begin_unset(id);
+            }
             if !self.in_arm
                 && let Some(value) = value
             {
@@ -144,6 +148,9 @@ impl<'a> Builder<'_, 'a> {
             return;
         }
         let pointer = self.local_pointer(id);
+        if value.is_none() {
+            self.begin_unset(id);
+        }
         match value {
             Some(value) => self.evaluate_into(value, pointer),
             // Without a loop around it, it is zero from the start.
@@ -160,6 +167,10 @@ impl<'a> Builder<'_, 'a> {
     fn repeat(&mut self, source: &'a Loop, extent: Extent, before: &'a [Stmt]) {
         let counter = self.counter(source, before);
         let span = self.span;
+        let rounds = match source.is_finite {
+            true => None,
+            false => self.start_rounds(),
+        };
         self.loops.push(source);
         self.open();
         if !source.tests_last
@@ -169,6 +180,9 @@ impl<'a> Builder<'_, 'a> {
         }
         if !source.is_finite {
             self.spend_round();
+        }
+        if let Some(rounds) = rounds {
+            self.limit_round(rounds);
         }
         self.record_round(extent);
         let outside = counter.map(|(local, range)| (local, self.ranges.set(local, Some(range))));
@@ -181,6 +195,9 @@ impl<'a> Builder<'_, 'a> {
         let body = self.close();
         self.loops.pop();
         self.span = span;
+        if let Some(rounds) = rounds {
+            self.release(Type::UINT, rounds);
+        }
         self.push(Statement::Loop {
             body,
             continuing: naga::Block::new(),

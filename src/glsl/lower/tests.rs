@@ -10,7 +10,7 @@ use std::num::NonZeroU32;
 use naga::back;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-use super::{HostSampler, Interface, Lowered, Options, Output, lower, verify};
+use super::{Checks, HostSampler, Interface, Lowered, Options, Output, lower, verify};
 use crate::glsl::hir::Hir;
 use crate::glsl::prune::Reachable;
 use crate::glsl::types::{Base, Scalar, Type};
@@ -57,6 +57,7 @@ fn interface() -> Interface {
             })
             .collect(),
         tables: 9,
+        findings: 10,
     }
 }
 
@@ -73,7 +74,9 @@ fn lowered_with(hir: &Hir, precision: Precision, arithmetic: Arithmetic) -> (Low
         arithmetic,
         output: Output::Colour,
         round_budget: None,
+        round_limit: None,
         interface: &interface,
+        checks: Checks::None,
         double_functions: &double_functions,
     };
     let reachable = Reachable::new(hir, &double_functions);

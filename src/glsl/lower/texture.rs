@@ -120,6 +120,12 @@ impl Builder<'_, '_> {
             let offset = self.value(offset);
             at = self.sum(at, offset);
         }
+        if shape == Shape::Plane && self.is_sanitized() {
+            let query = ImageQuery::Size { level: Some(level) };
+            let size = self.add(Expression::ImageQuery { image, query });
+            let ty = Type::vector(Scalar::Int, 2);
+            self.check_texel(Typed { value: at, ty }, size);
+        }
         let texel = self.add(Expression::ImageLoad {
             image,
             coordinate: at,

@@ -144,6 +144,10 @@ impl Scope<'_> {
             }
             Statement::Break | Statement::Continue | Statement::Kill => Ok(()),
             Statement::Return { value } => value.map_or(Ok(()), |value| self.need(value)),
+            Statement::Atomic { pointer, value, .. } => {
+                self.need(*pointer)?;
+                self.need(*value)
+            }
             Statement::Store { pointer, value } => {
                 self.need(*pointer)?;
                 self.need(*value)

@@ -9,7 +9,7 @@ use crate::glsl::types::{Base, Type};
 pub type TokenIndex = u32;
 
 /// Tokens that belong together, both ends included.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Extent {
     /// The first token.
     pub first: TokenIndex,

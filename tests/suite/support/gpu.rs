@@ -2,7 +2,7 @@ use std::sync::OnceLock;
 
 use glam::UVec2;
 use vitrine::frame::{Clock, FrameImage, FrameInput};
-use vitrine::render::{AdapterChoice, Format, Gpu, GpuError, ReadBack, Renderer, Target};
+use vitrine::render::{AdapterChoice, Extras, Format, Gpu, GpuError, ReadBack, Renderer, Target};
 use vitrine::scene::Source;
 use vitrine::session::{OpenError, Session};
 use vitrine::translate::Options;
@@ -48,7 +48,7 @@ pub fn draw_with(
     input: &FrameInput,
 ) -> Result<FrameImage, GpuError> {
     let target = Target::new(gpu, input.resolution, Format::Bytes)?;
-    let ring = ReadBack::new(gpu, &target, 1, false)?;
+    let ring = ReadBack::new(gpu, &target, 1, Extras::default())?;
     let mut slot = ring.slots.into_iter().next().expect("one slot");
     renderer.render(gpu, input, &target, Some(&mut slot));
     while !slot.is_ready(gpu)? {}
