@@ -17,7 +17,7 @@ use vitrine::session::Session;
 use vitrine::translate::{Options, Output, Probe};
 
 use super::findings::{checks, show_findings};
-use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
+use super::opening::{adapter_choice, can_run, explain, gpu_failure, slow_frame, watchdog};
 use super::progress::Progress;
 use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
 use crate::cli::{Count, ExportArgs, Precision};
@@ -67,6 +67,10 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
         !interrupted.load(Ordering::Relaxed)
     });
     progress.end();
+    if let Err(ExportError::Slow { findings, .. }) = &result {
+        // There is no time to draw it again for the operands.
+        report::show(&findings.report(&session));
+    }
     let mut summary = result.map_err(explain_export)?;
     show_findings(&gpu, &session, &mut summary.findings)?;
     let wall = started.elapsed();
@@ -177,6 +181,7 @@ fn job(args: &ExportArgs) -> anyhow::Result<Job> {
 fn explain_export(error: ExportError) -> anyhow::Error {
     match &error {
         ExportError::Gpu(gpu) => gpu_failure(gpu),
+        ExportError::Slow { limit, .. } => slow_frame(*limit),
         ExportError::OneFile { .. } => failure(
             &error,
             "put `%d` or `%05d` into `--out` where the frame number goes",

@@ -60,16 +60,18 @@ pub fn watchdog(args: &GpuArgs) -> Watchdog {
             ));
         },
         |elapsed| {
-            super::complain(&failure(
-                format!(
-                    "a frame was not finished after {:.0} s",
-                    elapsed.as_secs_f64()
-                ),
-                "does a loop never end, or is an array very large? Otherwise choose a smaller `--size`, \
-                 or give it more time with `--frame-timeout SECONDS`",
-            ));
+            super::complain(&slow_frame(elapsed));
             end_at_once(HOST_FAILED);
         },
+    )
+}
+
+/// A frame that takes too long.
+pub fn slow_frame(time: Duration) -> anyhow::Error {
+    failure(
+        format!("a frame was not finished after {:.0} s", time.as_secs_f64()),
+        "does a loop never end, or is an array very large? Otherwise choose a smaller `--size`, \
+         or give it more time with `--frame-timeout SECONDS`",
     )
 }
 

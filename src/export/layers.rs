@@ -61,7 +61,7 @@ impl Layers {
         wanted: &Wanted,
         size: UVec2,
     ) -> Result<Self, OpenError> {
-        let open = |output: Output| {
+        let open = |output: Output| -> Result<Subject, OpenError> {
             let options = Options {
                 checks: match output {
                     Output::Colour => options.checks.clone(),
@@ -70,7 +70,9 @@ impl Layers {
                 output,
                 ..options.clone()
             };
-            Subject::open(gpu, source, &options, size)
+            let mut subject = Subject::open(gpu, source, &options, size)?;
+            subject.draw_in_bands(gpu);
+            Ok(subject)
         };
         let picture = open(Output::Colour)?;
         let probes = wanted.probes.iter().map(|probe| {
@@ -182,7 +184,10 @@ pub fn export_layers(
         let path = job.out.path(number);
         watchdog.begin();
         let mut goes_on = true;
-        let mut waiting = || goes_on &= progress(summary.frames);
+        let mut waiting = || {
+            watchdog.go_on();
+            goes_on &= progress(summary.frames);
+        };
         let (exr, heat);
         if job.out.is_exr() {
             (exr, heat) = (

@@ -1,6 +1,7 @@
 //! Frames to files: a pipeline in which one frame is drawn while the one before is read back and
 //! those before that are encoded and written on other threads.
 
+mod draw;
 mod encoders;
 mod layers;
 mod pattern;
@@ -13,12 +14,13 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
+use draw::{Drawing, Outcome};
 use encoders::Encoders;
 use glam::UVec2;
 
 use crate::frame::{Clock, FrameInput};
 use crate::output::WriteError;
-use crate::render::{Extras, Format, Gpu, GpuError, ReadBack, Target, Watchdog};
+use crate::render::{Extras, Gpu, GpuError, ReadBack, Watchdog};
 use crate::session::{Findings, Session};
 
 /// Frames under way at once: one being drawn, one being read back, one waiting in between.
@@ -66,6 +68,14 @@ pub enum ExportError {
     /// The driver failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),
+    /// A frame took longer than the watchdog's limit, but the device is not stuck.
+    #[error("a frame was not finished after {:.0} s", limit.as_secs_f64())]
+    Slow {
+        /// The limit.
+        limit: Duration,
+        /// What had gone wrong by then.
+        findings: Findings,
+    },
     /// A picture could not be written.
     #[error(transparent)]
     Write(#[from] WriteError),
@@ -173,13 +183,12 @@ pub fn export(
     progress: &mut dyn FnMut(u32) -> bool,
 ) -> Result<Summary, ExportError> {
     job.check_output()?;
-    let renderer = &session.renderer;
-    let target = Target::new(gpu, job.size, Format::Bytes)?;
+    let mut drawing = Drawing::new(gpu, session, job, watchdog)?;
     let extras = Extras {
         times: job.timed,
-        finding_words: renderer.finding_words(),
+        finding_words: session.renderer.finding_words(),
     };
-    let ring = ReadBack::new(gpu, &target, RING, extras)?;
+    let ring = ReadBack::new(gpu, &drawing.target, RING, extras)?;
     let mut free = ring.slots;
     let mut under_way = VecDeque::with_capacity(RING);
     let mut encoders = Encoders::start(job.overwrite);
@@ -192,22 +201,33 @@ pub fn export(
         loop {
             // Keep the GPU supplied.
             while !summary.interrupted
+                && (drawing.is_quick() || under_way.is_empty())
                 && let Some(mut slot) = free.pop()
             {
                 let Some((number, input)) = inputs.next() else {
                     free.push(slot);
                     break;
                 };
-                renderer.render(gpu, &input, &target, Some(&mut slot));
+                let mut goes_on = true;
+                let mut waiting = || goes_on &= progress(encoders.written);
+                let outcome = drawing.draw(&input, &mut slot, &mut waiting)?;
+                summary.interrupted |= !goes_on;
+                if let Outcome::GivenUp(limit, words) = outcome {
+                    let mut findings = std::mem::take(&mut summary.findings);
+                    findings.note(&session.programs, &words, &input, &job.within(number));
+                    return Err(ExportError::Slow { limit, findings });
+                }
                 under_way.push_back((number, input, slot));
             }
             // Take back the oldest frame.
             let Some((number, input, mut slot)) = under_way.pop_front() else {
                 return Ok(());
             };
+            let waiting = Instant::now();
             while !slot.is_ready(gpu)? {
                 summary.interrupted |= !progress(encoders.written);
             }
+            drawing.waited(waiting.elapsed());
             // A slow disk is not the GPU's fault.
             watchdog.rest();
             let mut image = encoders.blank()?;

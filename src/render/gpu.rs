@@ -247,6 +247,20 @@ impl Gpu {
         self.queue.on_submitted_work_done(done);
     }
 
+    /// Waits a moment for what was submitted; `false` means that the device is still busy with it.
+    pub fn is_done(&self, submission: &super::Submission) -> Result<bool, GpuError> {
+        let poll = self.device.poll(wgpu::PollType::Wait {
+            submission_index: Some(submission.0.clone()),
+            timeout: Some(WAIT_SLICE),
+        });
+        self.check()?;
+        match poll {
+            Ok(_) => Ok(true),
+            Err(wgpu::PollError::Timeout) => Ok(false),
+            Err(error) => Err(GpuError::Lost(error.to_string())),
+        }
+    }
+
     /// Waits until all that was submitted so far has finished.
     pub fn wait(&self) -> Result<(), GpuError> {
         self.device

@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use glam::Vec3;
 
 use super::channel;
@@ -135,7 +137,7 @@ impl GpuPass {
         input: &FrameInput,
         encoder: &mut wgpu::CommandEncoder,
         target: &Target,
-        timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
+        band: Band<'_>,
     ) {
         if let Some(uniforms) = &self.uniforms {
             uniforms.upload(gpu, input);
@@ -145,7 +147,7 @@ impl GpuPass {
             target.view(),
             &self.pipeline,
             self.bind_group.as_ref(),
-            timestamp_writes,
+            Some((target.size().x, band)),
         );
     }
 }
@@ -242,15 +244,26 @@ pub(super) fn full_screen_pipeline(
     })
 }
 
-/// Records one draw over the whole of `view`, which is cleared to opaque black first: what a shader
-/// discards shows black.
+/// Some rows of a picture, counted from the bottom.
+#[derive(Clone, Debug)]
+pub(super) struct Band<'t> {
+    pub rows: Range<u32>,
+    pub timestamps: Option<wgpu::RenderPassTimestampWrites<'t>>,
+}
+
+/// Records one draw over the whole of `view`, or over a band of it and the width. With its first row everything
+/// is cleared to opaque black: what a shader discards shows black.
 pub(super) fn full_screen_pass(
     encoder: &mut wgpu::CommandEncoder,
     view: &wgpu::TextureView,
     pipeline: &wgpu::RenderPipeline,
     bind_group: Option<&wgpu::BindGroup>,
-    timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    band: Option<(u32, Band<'_>)>,
 ) {
+    let begins = band.as_ref().is_none_or(|(_, band)| band.rows.start == 0);
+    let rows = band
+        .as_ref()
+        .map(|(width, band)| (*width, band.rows.clone()));
     let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: None,
         color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -258,16 +271,22 @@ pub(super) fn full_screen_pass(
             depth_slice: None,
             resolve_target: None,
             ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                load: match begins {
+                    true => wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                    false => wgpu::LoadOp::Load,
+                },
                 store: wgpu::StoreOp::Store,
             },
         })],
-        timestamp_writes,
+        timestamp_writes: band.and_then(|(_, band)| band.timestamps),
         ..Default::default()
     });
     pass.set_pipeline(pipeline);
     if let Some(group) = bind_group {
         pass.set_bind_group(bindings::GROUP, group, &[]);
+    }
+    if let Some((width, rows)) = rows {
+        pass.set_scissor_rect(0, rows.start, width, rows.end - rows.start);
     }
     pass.draw(0..3, 0..1);
 }

@@ -138,12 +138,17 @@ impl Slot {
         }
     }
 
-    pub(super) fn timestamps(&self) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
-        let stopwatch = self.stopwatch.as_ref()?;
+    /// The timestamps of a band, which may be a frame's first or last.
+    pub(super) fn timestamps(
+        &self,
+        is_first: bool,
+        is_last: bool,
+    ) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
+        let stopwatch = self.stopwatch.as_ref().filter(|_| is_first || is_last)?;
         Some(wgpu::RenderPassTimestampWrites {
             query_set: &stopwatch.queries,
-            beginning_of_pass_write_index: Some(0),
-            end_of_pass_write_index: Some(1),
+            beginning_of_pass_write_index: is_first.then_some(0),
+            end_of_pass_write_index: is_last.then_some(1),
         })
     }
 
@@ -161,11 +166,36 @@ impl Slot {
         mut encoder: wgpu::CommandEncoder,
         target: &Target,
         findings: impl Iterator<Item = &'b wgpu::Buffer>,
-    ) {
+    ) -> wgpu::SubmissionIndex {
         if self.size != UVec2::ZERO {
             debug_assert_eq!(self.size, target.size(), "a slot is made for one size");
             self.copy_picture(&mut encoder, target);
         }
+        self.add_findings(&mut encoder, findings);
+        if let (Some(stopwatch), Some(times)) = (&self.stopwatch, self.layout.times) {
+            encoder.resolve_query_set(&stopwatch.queries, 0..2, &stopwatch.resolved, 0);
+            encoder.copy_buffer_to_buffer(&stopwatch.resolved, 0, &self.buffer, times, TIMES_BYTES);
+        }
+        self.submit(gpu, encoder)
+    }
+
+    /// Asks for findings alone, without drawing.
+    pub(super) fn copy_findings<'b>(
+        &mut self,
+        gpu: &Gpu,
+        findings: impl Iterator<Item = &'b wgpu::Buffer>,
+    ) {
+        let descriptor = wgpu::CommandEncoderDescriptor { label: None };
+        let mut encoder = gpu.device().create_command_encoder(&descriptor);
+        self.add_findings(&mut encoder, findings);
+        self.submit(gpu, encoder);
+    }
+
+    fn add_findings<'b>(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        findings: impl Iterator<Item = &'b wgpu::Buffer>,
+    ) {
         let mut at = self.layout.findings;
         let end = at + 4 * u64::from(self.layout.finding_words);
         for buffer in findings {
@@ -175,11 +205,11 @@ impl Slot {
             }
             at += bytes;
         }
-        if let (Some(stopwatch), Some(times)) = (&self.stopwatch, self.layout.times) {
-            encoder.resolve_query_set(&stopwatch.queries, 0..2, &stopwatch.resolved, 0);
-            encoder.copy_buffer_to_buffer(&stopwatch.resolved, 0, &self.buffer, times, TIMES_BYTES);
-        }
-        self.submission = Some(gpu.queue().submit([encoder.finish()]));
+    }
+
+    fn submit(&mut self, gpu: &Gpu, encoder: wgpu::CommandEncoder) -> wgpu::SubmissionIndex {
+        let submission = gpu.queue().submit([encoder.finish()]);
+        self.submission = Some(submission.clone());
         self.state.store(PENDING, Ordering::Release);
         let state = Arc::clone(&self.state);
         self.buffer
@@ -187,6 +217,7 @@ impl Slot {
                 let outcome = if result.is_ok() { MAPPED } else { FAILED };
                 state.store(outcome, Ordering::Release);
             });
+        submission
     }
 
     fn copy_picture(&self, encoder: &mut wgpu::CommandEncoder, target: &Target) {

@@ -10,6 +10,7 @@ const NOTICE_AFTER: Duration = Duration::from_secs(5);
 #[derive(Debug)]
 pub struct Watchdog {
     shared: Arc<Shared>,
+    limit: Option<Duration>,
 }
 
 #[derive(Debug)]
@@ -21,7 +22,9 @@ struct Shared {
 #[derive(Debug)]
 struct State {
     /// When the frame under way was begun; `None` while nothing is being drawn.
-    since: Option<Instant>,
+    began: Option<Instant>,
+    /// When the device last showed that it is not stuck.
+    since: Instant,
     noticed: bool,
     dropped: bool,
 }
@@ -37,7 +40,8 @@ impl Watchdog {
     ) -> Self {
         let shared = Arc::new(Shared {
             state: Mutex::new(State {
-                since: None,
+                began: None,
+                since: Instant::now(),
                 noticed: false,
                 dropped: false,
             }),
@@ -45,7 +49,7 @@ impl Watchdog {
         });
         let watched = Arc::clone(&shared);
         thread::spawn(move || watch(&watched, limit, &on_slow, &on_stuck));
-        Watchdog { shared }
+        Watchdog { shared, limit }
     }
 
     /// A frame was begun, or finished while others are under way; or the driver compiles for one.
@@ -53,15 +57,26 @@ impl Watchdog {
         self.set(Some(Instant::now()));
     }
 
+    /// A part of the frame was finished: the device is not stuck, however long the whole may take.
+    pub fn go_on(&self) {
+        self.shared.state.lock().expect("no holder panics").since = Instant::now();
+    }
+
+    /// How long a frame may take.
+    pub fn limit(&self) -> Option<Duration> {
+        self.limit
+    }
+
     /// Nothing is being drawn any more.
     pub fn rest(&self) {
         self.set(None);
     }
 
-    fn set(&self, since: Option<Instant>) {
+    fn set(&self, began: Option<Instant>) {
         let mut state = self.shared.state.lock().expect("no holder panics");
-        let was_resting = state.since.is_none();
-        state.since = since;
+        let was_resting = state.began.is_none();
+        state.began = began;
+        state.since = Instant::now();
         state.noticed = false;
         drop(state);
         // A watcher that already counts down notices a new time by itself.
@@ -86,31 +101,29 @@ fn watch(
 ) {
     let mut state = shared.state.lock().expect("no holder panics");
     while !state.dropped {
-        let Some(since) = state.since else {
+        let Some(began) = state.began else {
             state = shared.changed.wait(state).expect("no holder panics");
             continue;
         };
-        let elapsed = since.elapsed();
+        let elapsed = state.since.elapsed();
         if limit.is_some_and(|limit| elapsed >= limit) {
-            state.since = None;
+            state.began = None;
             drop(state);
             on_stuck(elapsed);
             state = shared.state.lock().expect("no holder panics");
             continue;
         }
-        if elapsed >= NOTICE_AFTER && !state.noticed {
+        if began.elapsed() >= NOTICE_AFTER && !state.noticed {
             state.noticed = true;
             drop(state);
-            on_slow(elapsed);
+            on_slow(began.elapsed());
             state = shared.state.lock().expect("no holder panics");
             continue;
         }
-        let next = match limit {
-            Some(limit) if state.noticed || limit < NOTICE_AFTER => limit,
-            _ if state.noticed => Duration::MAX,
-            _ => NOTICE_AFTER,
-        };
-        let pause = next.saturating_sub(elapsed).min(Duration::from_secs(3600));
+        let to_notice = (!state.noticed).then(|| NOTICE_AFTER.saturating_sub(began.elapsed()));
+        let to_limit = limit.map(|limit| limit.saturating_sub(elapsed));
+        let next = to_notice.into_iter().chain(to_limit).min();
+        let pause = next.unwrap_or(Duration::from_secs(3600));
         state = shared
             .changed
             .wait_timeout(state, pause)
@@ -135,6 +148,20 @@ mod tests {
             .expect("a report");
         assert!(late >= limit);
         assert!(receiver.try_recv().is_err(), "once");
+    }
+
+    #[test]
+    fn a_frame_that_goes_on_is_not_stuck() {
+        let (sender, receiver) = mpsc::channel();
+        let limit = Duration::from_millis(200);
+        let watchdog = Watchdog::start(Some(limit), |_| {}, move |t| sender.send(t).unwrap());
+        watchdog.begin();
+        for _ in 0..20 {
+            thread::sleep(Duration::from_millis(20));
+            watchdog.go_on();
+        }
+        assert!(receiver.try_recv().is_err(), "it went on");
+        assert!(receiver.recv_timeout(Duration::from_secs(60)).is_ok());
     }
 
     #[test]

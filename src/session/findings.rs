@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::frame::FrameInput;
-use crate::render::{Extras, Gpu, GpuError, ReadBack, Renderer, Target};
+use crate::render::{Extras, Gpu, GpuError, Pace, ReadBack, Renderer, Target};
 use crate::source::{Diagnostic, Report};
 use crate::translate::{self, Checks, Finding, OPERAND_WORDS, Program};
 
@@ -206,7 +206,8 @@ fn words(
     };
     let mut ring = ReadBack::new(gpu, &target, 1, extras)?;
     let slot = &mut ring.slots[0];
-    renderer.render(gpu, input, &target, Some(slot));
+    let mut pace = Pace::new(gpu, input.resolution);
+    renderer.render_in_bands(gpu, input, &target, Some(slot), &mut pace, &mut || true)?;
     while !slot.is_ready(gpu)? {}
     slot.take_findings(gpu)
 }

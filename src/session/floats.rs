@@ -4,7 +4,7 @@ use glam::UVec2;
 
 use super::{OpenError, Session};
 use crate::frame::{FloatImage, FrameInput};
-use crate::render::{Extras, Format, Gpu, GpuError, ReadBack, Slot, Target};
+use crate::render::{Extras, Format, Gpu, GpuError, Pace, ReadBack, Slot, Target};
 use crate::scene::Source;
 use crate::translate;
 
@@ -16,6 +16,8 @@ pub struct Subject {
     pub session: Session,
     target: Target,
     slot: Slot,
+    /// How it is drawn in bands, if it is.
+    pace: Option<Pace>,
 }
 
 /// A picture, and how long it took.
@@ -49,7 +51,13 @@ impl Subject {
             session,
             target,
             slot,
+            pace: None,
         })
+    }
+
+    /// From now on draws in bands, so that the device is never busy for long.
+    pub fn draw_in_bands(&mut self, gpu: &Gpu) {
+        self.pace = Some(Pace::new(gpu, self.target.size()));
     }
 
     /// How many components of its pixels mean something.
@@ -65,7 +73,18 @@ impl Subject {
         input: &FrameInput,
         waiting: &mut dyn FnMut(),
     ) -> Result<Drawn, GpuError> {
-        (self.session.renderer).render(gpu, input, &self.target, Some(&mut self.slot));
+        let renderer = &self.session.renderer;
+        let slot = Some(&mut self.slot);
+        match &mut self.pace {
+            None => renderer.render(gpu, input, &self.target, slot),
+            Some(pace) => {
+                let mut between = || {
+                    waiting();
+                    true
+                };
+                renderer.render_in_bands(gpu, input, &self.target, slot, pace, &mut between)?;
+            }
+        }
         while !self.slot.is_ready(gpu)? {
             waiting();
         }

@@ -132,7 +132,10 @@ impl App {
         if stage.wants_present(now) || is_lost {
             stage.present()?;
         }
-        if stage.wants_frame(&self.clock, now) {
+        if stage.wants_band() {
+            self.watchdog.go_on();
+            stage.draw_band(&self.wakes)?;
+        } else if stage.wants_frame(&self.clock, now) {
             let mut input = self.clock.tick(stage.target.size());
             input.mouse = self.mouse.frame_value();
             self.mouse.frame_drawn();
@@ -397,11 +400,12 @@ impl ApplicationHandler<Wake> for App {
         let Some(stage) = &mut self.stage else { return };
         stage.renew_title(&self.clock);
         let is_busy = stage.is_busy();
-        if !is_busy {
+        if !is_busy && !stage.wants_band() {
             self.watchdog.rest();
         }
         let now = Instant::now();
-        let wants_redraw = stage.wants_present(now) || stage.wants_frame(&self.clock, now);
+        let wants_redraw =
+            stage.wants_present(now) || stage.wants_band() || stage.wants_frame(&self.clock, now);
         event_loop.set_control_flow(if wants_redraw {
             stage.window.request_redraw();
             ControlFlow::Wait

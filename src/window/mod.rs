@@ -5,6 +5,7 @@
 //! keeps moving.
 
 mod app;
+mod drawing;
 mod findings;
 mod input;
 mod picture;

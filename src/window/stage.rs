@@ -1,5 +1,4 @@
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
 use glam::{DVec2, IVec2, UVec2};
@@ -7,6 +6,7 @@ use winit::dpi::PhysicalSize;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 use winit::window::{Fullscreen, Window};
 
+use super::drawing::Drawing;
 use super::findings::Gatherer;
 use super::title::Title;
 use super::{Options, PlayError, Reload, Wake, input};
@@ -46,7 +46,9 @@ pub(super) struct Stage {
     options: Options,
     /// Whether the target holds a frame that the window has not been given.
     unpresented: bool,
-    under_way: Arc<AtomicU32>,
+    drawing: Drawing,
+    /// When the latest frame was begun.
+    began: Instant,
     /// The reload whose first frame is the next one.
     fresh: Option<Reload>,
     problem: Option<String>,
@@ -78,6 +80,7 @@ impl Stage {
         let session =
             Session::open(&gpu, &options.source, &options.translate).map_err(PlayError::Open)?;
         Ok(Stage {
+            drawing: Drawing::new(&gpu, &session, &target),
             gatherer: Gatherer::new(&gpu, &session)?,
             window,
             gpu: Arc::new(gpu),
@@ -90,7 +93,7 @@ impl Stage {
             presenter,
             options: options.clone(),
             unpresented: false,
-            under_way: Arc::default(),
+            began: Instant::now(),
             fresh: None,
             problem: None,
             titled: None,
@@ -108,14 +111,19 @@ impl Stage {
 
     /// Whether the GPU is drawing.
     pub fn is_busy(&self) -> bool {
-        self.under_way.load(Ordering::Relaxed) > 0
+        self.drawing.under_way() > 0
     }
 
     /// Whether a frame should be drawn now.
     pub fn wants_frame(&self, clock: &Clock, now: Instant) -> bool {
         let moving = !clock.is_paused() || self.stale;
-        let free = self.under_way.load(Ordering::Relaxed) < self.most_under_way();
+        let free = self.drawing.is_free() && self.drawing.under_way() < self.most_under_way();
         moving && free && !self.unpresented && now >= self.next_frame
+    }
+
+    /// Whether the next band of a frame should be drawn now.
+    pub fn wants_band(&self) -> bool {
+        self.drawing.wants_band()
     }
 
     /// Whether a frame that was drawn should be given to the window now.
@@ -151,31 +159,40 @@ impl Stage {
         wakes: &EventLoopProxy<Wake>,
     ) -> Result<(), PlayError> {
         let started = Instant::now();
-        let gatherer = self.gatherer.as_mut();
-        let slot = gatherer.and_then(|gatherer| gatherer.slot(input));
-        let renderer = &self.session.renderer;
-        renderer.render(&self.gpu, input, &self.target, slot);
-        self.shown = Some(*input);
+        self.began = started;
+        self.drawing.begin(input);
         self.stale = false;
-        self.under_way.fetch_add(1, Ordering::Relaxed);
-        let under_way = Arc::clone(&self.under_way);
-        let first = self.fresh.take().map(|reload| (reload, wakes.clone()));
-        self.gpu.on_done(move || {
-            under_way.fetch_sub(1, Ordering::Relaxed);
-            if let Some((reload, wakes)) = first {
-                let wake = Wake::FirstFrame {
-                    reload,
-                    began: started,
-                    took: started.elapsed(),
-                };
-                // The loop is gone when the window is.
-                let _ = wakes.send_event(wake);
-            }
-        });
         if let Some(limit) = self.options.fps_limit {
             let period = Duration::from_secs_f64(1.0 / limit);
             self.next_frame = pace(self.next_frame, started, period);
         }
+        self.draw_band(wakes)
+    }
+
+    /// Draws the next band of the frame that was begun: of a quick one, all of it.
+    pub fn draw_band(&mut self, wakes: &EventLoopProxy<Wake>) -> Result<(), PlayError> {
+        let gatherer = self.gatherer.as_mut();
+        let slot = |input: &FrameInput| gatherer.and_then(|gatherer| gatherer.slot(input));
+        let (began, wakes) = (self.began, wakes.clone());
+        let fresh = self.fresh.clone();
+        let done = move || {
+            if let Some(reload) = fresh {
+                let wake = Wake::FirstFrame {
+                    reload,
+                    began,
+                    took: began.elapsed(),
+                };
+                // The loop is gone when the window is.
+                let _ = wakes.send_event(wake);
+            }
+        };
+        let drawing = &mut self.drawing;
+        let drawn = drawing.go_on(&self.gpu, &self.session, &self.target, slot, done);
+        let Some(input) = drawn else {
+            return Ok(());
+        };
+        self.fresh = None;
+        self.shown = Some(input);
         self.unpresented = true;
         match self.presents_late() {
             true => Ok(()),
@@ -208,6 +225,7 @@ impl Stage {
     /// The next frame is this scene's.
     pub fn replace(&mut self, session: Session, reload: Option<Reload>) -> Result<(), PlayError> {
         self.gatherer = Gatherer::new(&self.gpu, &session)?;
+        self.drawing.renew(&self.gpu, &session, &self.target);
         self.session = Arc::new(session);
         self.fresh = reload;
         self.problem = None;
@@ -233,6 +251,7 @@ impl Stage {
         let picture = picture_size(&self.gpu, &self.window, self.options.scale);
         if picture != self.target.size() {
             self.target = Target::new(&self.gpu, picture, Format::Bytes)?;
+            self.drawing.renew(&self.gpu, &self.session, &self.target);
             // The new one holds nothing yet.
             self.unpresented = false;
         }

@@ -27,6 +27,8 @@ mod verdicts;
 #[cfg(feature = "gpu")]
 mod bad_output;
 #[cfg(feature = "gpu")]
+mod bands;
+#[cfg(feature = "gpu")]
 mod channels;
 #[cfg(feature = "gpu")]
 mod clock;
@@ -58,9 +60,9 @@ mod reload;
 mod sanitize;
 #[cfg(feature = "gpu")]
 mod scenes;
-#[cfg(all(feature = "window", target_os = "linux"))]
+#[cfg(feature = "gpu")]
 mod stability;
 #[cfg(feature = "gpu")]
 mod webgl2;
-#[cfg(feature = "gpu")]
+#[cfg(all(feature = "window", target_os = "linux"))]
 mod window;
