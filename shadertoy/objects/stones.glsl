@@ -67,7 +67,7 @@ float stoneShadow(vec3 p, vec3 sunDir) {
         float h = stone(p + t * sunDir);
         if (h < 0.01) return 0.0;
         res = min(res, SHADOW_K * h / t);
-        t += clamp(h, 0.15, toNextCell(p + t * sunDir, sunDir));
+        t += min(max(h, 0.15), toNextCell(p + t * sunDir, sunDir));
     }
     return clamp(res, 0.0, 1.0);
 }

@@ -107,6 +107,25 @@ impl Layers {
         Ok(layers)
     }
 
+    /// Whether the picture tells more than is seen.
+    fn is_watched(&self) -> bool {
+        self.picture.session.renderer.finding_words() > 0
+    }
+
+    /// One frame's picture, which may find something.
+    fn draw_picture(
+        &mut self,
+        gpu: &Gpu,
+        input: &FrameInput,
+        within: &str,
+        waiting: &mut dyn FnMut(),
+    ) -> Result<FloatImage, GpuError> {
+        let drawn = self.picture.draw(gpu, input, waiting)?;
+        let programs = &self.picture.session.programs;
+        self.findings.note(programs, &drawn.findings, input, within);
+        Ok(drawn.image)
+    }
+
     /// The values of one frame.
     fn channels(
         &mut self,
@@ -115,10 +134,7 @@ impl Layers {
         within: &str,
         waiting: &mut dyn FnMut(),
     ) -> Result<Channels, GpuError> {
-        let drawn = self.picture.draw(gpu, input, waiting)?;
-        let programs = &self.picture.session.programs;
-        self.findings.note(programs, &drawn.findings, input, within);
-        let picture = drawn.image;
+        let picture = self.draw_picture(gpu, input, within, waiting)?;
         let mut channels: Channels = Vec::new();
         for (i, name) in ["R", "G", "B"].into_iter().enumerate() {
             channels.push((name.to_owned(), component(&picture, i)));
@@ -184,18 +200,16 @@ pub fn export_layers(
         let path = job.out.path(number);
         watchdog.begin();
         let mut goes_on = true;
-        let mut waiting = || {
-            watchdog.go_on();
-            goes_on &= progress(summary.frames);
-        };
-        let (exr, heat);
+        let mut waiting = || goes_on &= progress(summary.frames);
+        let within = job.within(number);
+        let (mut exr, mut heat) = (None, None);
         if job.out.is_exr() {
-            (exr, heat) = (
-                Some(layers.channels(gpu, &input, &job.within(number), &mut waiting)?),
-                None,
-            );
+            exr = Some(layers.channels(gpu, &input, &within, &mut waiting)?);
         } else {
-            (exr, heat) = (None, layers.count(gpu, &input, &mut waiting)?);
+            heat = layers.count(gpu, &input, &mut waiting)?;
+            if layers.is_watched() {
+                layers.draw_picture(gpu, &input, &within, &mut waiting)?;
+            }
         }
         watchdog.rest();
         if summary.frames == 0 {
