@@ -33,6 +33,8 @@ mod channels;
 #[cfg(feature = "gpu")]
 mod clock;
 #[cfg(feature = "gpu")]
+mod closed_forms;
+#[cfg(feature = "gpu")]
 mod colours;
 #[cfg(feature = "gpu")]
 mod double;
