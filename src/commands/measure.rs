@@ -208,6 +208,7 @@ fn one_off(args: &MeasureArgs) -> anyhow::Result<Study> {
             scene: None,
             define: BTreeMap::new(),
             reference: None,
+            times: None,
             vary: args
                 .vary
                 .iter()

@@ -96,14 +96,13 @@ pub fn markdown(
         Some(probe) => format!("relative error of `{probe}`, a picture's median"),
         None => "RMSE of the picture, 1 is white".to_owned(),
     };
-    let times: Vec<_> = study.times.iter().map(|time| format!("{time} s")).collect();
     let _ = writeln!(
         text,
-        "{}×{} pixels at {}; error: {error}. Of several moments the largest error and the mean time \
+        "{}×{} pixels {}; error: {error}. Of several moments the largest error and the mean time \
          count. Times are medians of {} rounds in which all variants take turns.\n",
         study.size.x,
         study.size.y,
-        times.join(", "),
+        moments(study),
         study.repeats
     );
     let precision = match study.reference.precision {
@@ -156,6 +155,29 @@ pub fn markdown(
         let _ = write!(text, "\n## What was found\n\n{}\n", study.findings.trim());
     }
     text
+}
+
+/// When it was drawn: with the families that this holds for, if it does not for all.
+fn moments(study: &Study) -> String {
+    let mut groups: Vec<(&[f64], Vec<&str>)> = Vec::new();
+    for family in &study.families {
+        let times = study.times_of(family);
+        match groups.iter_mut().find(|group| group.0 == times) {
+            Some((_, names)) => names.push(&family.name),
+            None => groups.push((times, vec![&family.name])),
+        }
+    }
+    let is_one = groups.len() == 1;
+    let say = |(times, names): (&[f64], Vec<&str>)| {
+        let times: Vec<_> = times.iter().map(|time| format!("{time} s")).collect();
+        let at = format!("at {}", times.join(", "));
+        match is_one {
+            true => at,
+            false => format!("{at} ({})", names.join("; ")),
+        }
+    };
+    let all: Vec<_> = groups.into_iter().map(say).collect();
+    all.join(", ")
 }
 
 fn table(text: &mut String, rows: &[Row], has_probe: bool) {

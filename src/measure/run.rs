@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::compare::{self, PictureError, ProbeError};
 use super::study::{ReferencePrecision, Study, Variant};
-use crate::frame::{Clock, FloatImage, FrameInput};
+use crate::frame::{Clock, FloatImage};
 use crate::render::Gpu;
 use crate::scene::Source;
 use crate::session::{Drawn, OpenError, Subject};
@@ -132,11 +132,6 @@ pub fn run(study: &Study, around: Surroundings<'_>) -> Result<Findings, OpenErro
     let references = study.references(around.folder);
     let mut run = Run {
         study,
-        inputs: study
-            .times
-            .iter()
-            .map(|&time| Clock::fixed(60.0).at_time(time, study.size))
-            .collect(),
         done: 0,
         of: variants.len() + references.len() + study.repeats as usize,
         around,
@@ -154,7 +149,7 @@ pub fn run(study: &Study, around: Surroundings<'_>) -> Result<Findings, OpenErro
     let mut cells = Vec::new();
     for variant in &variants {
         run.step(&variant.name());
-        let times = study.times.iter();
+        let times = variant.times.iter();
         let known: Option<Vec<Cell>> = times
             .map(|&time| (run.around.known)(variant, time))
             .collect();
@@ -173,17 +168,20 @@ pub fn run(study: &Study, around: Surroundings<'_>) -> Result<Findings, OpenErro
         let rmse = |at: usize| cells[at].total.picture.rmse;
         rmse(b).total_cmp(&rmse(a))
     });
+    // Which variant a cell is of, and which of its moments.
+    let cells_of = |(index, variant): (usize, &Variant)| {
+        let moments = 0..variant.times.len();
+        moments.map(move |at| (index, at)).collect::<Vec<_>>()
+    };
+    let places: Vec<_> = variants.iter().enumerate().flat_map(cells_of).collect();
     let mut worst = Vec::new();
-    for index in order.into_iter().take(WORST) {
-        let (variant, at) = (index / study.times.len(), index % study.times.len());
-        let image = run.draw(&mut subjects[variant], at)?.image;
+    for (index, at) in order.into_iter().take(WORST).map(|cell| places[cell]) {
+        let variant = &variants[index];
+        let image = run.draw(&mut subjects[index], variant.times[at])?.image;
         worst.push(Worst {
-            name: variants[variant].name(),
-            time: study.times[at],
-            difference: compare::difference(
-                &image,
-                &truths[variants[variant].reference].pictures[at],
-            ),
+            name: variant.name(),
+            time: variant.times[at],
+            difference: compare::difference(&image, &truths[variant.reference].pictures[at]),
         });
     }
     Ok(Findings {
@@ -197,7 +195,7 @@ pub fn run(study: &Study, around: Surroundings<'_>) -> Result<Findings, OpenErro
 impl Views {
     /// How far they are from others.
     fn errors(&self, truth: &Views, study: &Study) -> Vec<Errors> {
-        (0..study.times.len())
+        (0..self.pictures.len())
             .map(|at| Errors {
                 probe: study.probe.as_ref().map(|_| {
                     let (own, truth) = (&self.probes[at], &truth.probes[at]);
@@ -211,7 +209,6 @@ impl Views {
 
 struct Run<'s, 'a> {
     study: &'s Study,
-    inputs: Vec<FrameInput>,
     done: usize,
     of: usize,
     around: Surroundings<'a>,
@@ -247,11 +244,12 @@ impl Run<'_, '_> {
         Subject::open(self.around.gpu, &source, &options, self.study.size)
     }
 
-    fn draw(&mut self, subject: &mut Subject, at: usize) -> Result<Drawn, OpenError> {
-        Ok(subject.draw(self.around.gpu, &self.inputs[at], &mut || {})?)
+    fn draw(&mut self, subject: &mut Subject, time: f64) -> Result<Drawn, OpenError> {
+        let input = Clock::fixed(60.0).at_time(time, self.study.size);
+        Ok(subject.draw(self.around.gpu, &input, &mut || {})?)
     }
 
-    /// Draws something at every moment; how many components of it mean something.
+    /// Draws something at every moment of a variant; how many components of it mean something.
     fn images(
         &mut self,
         variant: &Variant,
@@ -260,7 +258,8 @@ impl Run<'_, '_> {
     ) -> Result<(Vec<FloatImage>, usize), OpenError> {
         let mut subject = self.open(variant, precision, output)?;
         let components = subject.components();
-        let images = (0..self.inputs.len()).map(|at| Ok(self.draw(&mut subject, at)?.image));
+        let times = variant.times.iter();
+        let images = times.map(|&time| Ok(self.draw(&mut subject, time)?.image));
         Ok((images.collect::<Result<_, OpenError>>()?, components))
     }
 
@@ -296,7 +295,7 @@ impl Run<'_, '_> {
                 label: variant.label.clone(),
                 defines: variant.defines.clone(),
                 reference: variant.reference,
-                time: study.times[at],
+                time: variant.times[at],
                 rounds: counts.sum::<f64>() / f64::from(study.size.element_product()),
                 total: total[at],
                 discretisation: discretisation.get(at).copied(),
@@ -304,7 +303,7 @@ impl Run<'_, '_> {
                 seconds: Vec::new(),
             }
         };
-        Ok((0..study.times.len()).map(cell).collect())
+        Ok((0..variant.times.len()).map(cell).collect())
     }
 
     /// Times all variants in turn, again and again, so that what disturbs the machine disturbs all.
@@ -317,19 +316,18 @@ impl Run<'_, '_> {
         for variant in variants {
             let mut subject = self.open(variant, Precision::Single, Output::Colour)?;
             // Some drivers finish compiling only when they first draw.
-            self.draw(&mut subject, 0)?;
+            self.draw(&mut subject, variant.times[0])?;
             subjects.push(subject);
         }
-        let moments = self.inputs.len();
         for cell in cells.iter_mut() {
             cell.seconds.clear();
         }
         for repetition in 1..=self.study.repeats {
             self.step(&format!("timing, round {repetition}"));
-            for (index, subject) in subjects.iter_mut().enumerate() {
-                for at in 0..moments {
-                    let seconds = self.draw(subject, at)?.seconds;
-                    cells[index * moments + at].seconds.extend(seconds);
+            let mut cells = cells.iter_mut();
+            for (variant, subject) in variants.iter().zip(&mut subjects) {
+                for (&time, cell) in variant.times.iter().zip(&mut cells) {
+                    cell.seconds.extend(self.draw(subject, time)?.seconds);
                 }
             }
         }

@@ -19,7 +19,7 @@ pub struct Study {
     /// Width and height of every picture.
     #[serde(default = "default_size", deserialize_with = "size")]
     pub size: UVec2,
-    /// The moments, `iTime` in seconds.
+    /// The moments, `iTime` in seconds, of all families that have none of their own.
     #[serde(default = "default_times")]
     pub times: Vec<f64>,
     /// The value to compare besides the picture.
@@ -90,6 +90,8 @@ pub struct Family {
     pub define: Defines,
     /// What its variants are held against, if it is not what the study's others are.
     pub reference: Option<Reference>,
+    /// Its moments, if they are not the study's.
+    pub times: Option<Vec<f64>>,
     /// Macros with the values that they take in turn; of several, every combination.
     #[serde(default)]
     pub vary: BTreeMap<String, Vec<Value>>,
@@ -145,7 +147,7 @@ fn probe<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<Option<Pro
 }
 
 /// A variant of a study.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Variant {
     /// The family that it belongs to.
     pub family: String,
@@ -155,6 +157,8 @@ pub struct Variant {
     pub scene: PathBuf,
     /// Its macros.
     pub defines: Vec<(String, String)>,
+    /// Its moments.
+    pub times: Vec<f64>,
     /// What it is held against, by its number among [`Study::references`]; of no meaning for a
     /// reference itself.
     pub reference: usize,
@@ -181,7 +185,7 @@ impl Study {
         let study: Study = toml::from_str(text).map_err(|error| error.to_string())?;
         let problem = if study.families.is_empty() {
             "a study has at least one [[family]]"
-        } else if study.times.is_empty() {
+        } else if study.all_times().any(<[f64]>::is_empty) {
             "`times` names no moment"
         } else if study.repeats == 0 {
             "`repeats` is at least 1"
@@ -191,12 +195,26 @@ impl Study {
         Err(problem.to_owned())
     }
 
+    fn all_times(&self) -> impl Iterator<Item = &[f64]> {
+        let own = self
+            .families
+            .iter()
+            .filter_map(|family| family.times.as_deref());
+        std::iter::once(self.times.as_slice()).chain(own)
+    }
+
+    /// The moments of a family.
+    pub fn times_of<'a>(&'a self, family: &'a Family) -> &'a [f64] {
+        family.times.as_deref().unwrap_or(&self.times)
+    }
+
     /// All variants, in order, with scenes as paths from `folder`.
     pub fn variants(&self, folder: &Path) -> Vec<Variant> {
         let mut variants = Vec::new();
         let references = self.distinct_references();
         for family in &self.families {
-            let own = family.reference.as_ref().unwrap_or(&self.reference);
+            let times = self.times_of(family);
+            let own = (family.reference.as_ref().unwrap_or(&self.reference), times);
             let reference = references.iter().position(|known| *known == own);
             let scene = folder.join(family.scene.as_ref().unwrap_or(&self.scene));
             let mut labels: Vec<Vec<(&String, &Value)>> = vec![Vec::new()];
@@ -218,6 +236,7 @@ impl Study {
                     label: text.join(" "),
                     scene: scene.clone(),
                     defines: merged([&self.define, &family.define], own),
+                    times: times.to_owned(),
                     reference: reference.unwrap_or(0),
                 }
             }));
@@ -225,15 +244,15 @@ impl Study {
         variants
     }
 
-    fn distinct_references(&self) -> Vec<&Reference> {
-        let mut distinct = vec![&self.reference];
-        for reference in self
-            .families
-            .iter()
-            .filter_map(|family| family.reference.as_ref())
-        {
-            if !distinct.contains(&reference) {
-                distinct.push(reference);
+    /// What is held for true, and when. The same reference at other moments is another one: only what is
+    /// held against the same at the same moments can be compared.
+    fn distinct_references(&self) -> Vec<(&Reference, &[f64])> {
+        let mut distinct = vec![(&self.reference, self.times.as_slice())];
+        for family in &self.families {
+            let reference = family.reference.as_ref().unwrap_or(&self.reference);
+            let own = (reference, self.times_of(family));
+            if !distinct.contains(&own) {
+                distinct.push(own);
             }
         }
         distinct
@@ -243,7 +262,7 @@ impl Study {
     pub fn references(&self, folder: &Path) -> Vec<(Variant, Option<Variant>)> {
         let references = self.distinct_references().into_iter();
         references
-            .map(|reference| {
+            .map(|(reference, times)| {
                 let scene = folder.join(reference.scene.as_ref().unwrap_or(&self.scene));
                 let of = |family: &str, refined: Option<&Defines>| Variant {
                     family: family.to_owned(),
@@ -253,6 +272,7 @@ impl Study {
                         [&self.define, &reference.define],
                         refined.into_iter().flatten(),
                     ),
+                    times: times.to_owned(),
                     reference: 0,
                 };
                 let refined = Some(&reference.refined).filter(|refined| !refined.is_empty());
@@ -297,10 +317,13 @@ name = "other"
 scene = "../relaxation"
 define = { TERRAIN_OCTAVES = 9 }
 reference = { scene = "../canyon" }
+[[family]]
+name = "late"
+times = [3600, 86400]
 "#;
 
     #[test]
-    fn variants_are_every_combination() {
+    fn variants_are_every_combination_at_their_moments() {
         let study = Study::parse(TEXT).expect("a study");
         let variants = study.variants(Path::new("studies"));
         let names: Vec<_> = variants.iter().map(Variant::name).collect();
@@ -311,7 +334,8 @@ reference = { scene = "../canyon" }
                 "adaptive MAX_STEPS=80 STEP_FACTOR=1.0",
                 "adaptive MAX_STEPS=300 STEP_FACTOR=0.1",
                 "adaptive MAX_STEPS=300 STEP_FACTOR=1.0",
-                "other"
+                "other",
+                "late"
             ]
         );
         let pair = |name: &str, value: &str| (name.to_owned(), value.to_owned());
@@ -326,13 +350,26 @@ reference = { scene = "../canyon" }
         assert_eq!(variants[4].defines, [pair("TERRAIN_OCTAVES", "9")]);
         assert_eq!(variants[4].scene, Path::new("studies/../relaxation"));
         let references = study.references(Path::new(""));
-        let [(first, Some(refined)), (other, None)] = references.as_slice() else {
+        let [
+            (first, Some(refined)),
+            (other, None),
+            (late, Some(late_refined)),
+        ] = references.as_slice()
+        else {
             panic!("{references:?}");
         };
         assert_eq!(first.defines[0], pair("STEP_FACTOR", "0.02"));
         assert_eq!(refined.defines[0], pair("STEP_FACTOR", "0.01"));
         assert_eq!(other.scene, Path::new("../canyon"));
-        assert_eq!((variants[0].reference, variants[4].reference), (0, 1));
+        let numbers = [0, 4, 5].map(|variant: usize| variants[variant].reference);
+        assert_eq!(numbers, [0, 1, 2]);
+        assert_eq!((&late.scene, &late.defines), (&first.scene, &first.defines));
+        for early in [&variants[0], &variants[4], first, refined, other] {
+            assert_eq!(early.times, [1.0, 2.5]);
+        }
+        for late in [&variants[5], late, late_refined] {
+            assert_eq!(late.times, [3600.0, 86400.0]);
+        }
     }
 
     #[test]
@@ -341,6 +378,7 @@ reference = { scene = "../canyon" }
             ("64x36", "64", "is no size"),
             ("\"t\"", "\"t t\"", "names no value"),
             ("times = [1, 2.5]", "times = []", "no moment"),
+            ("times = [3600, 86400]", "times = []", "no moment"),
             ("title", "titel", "unknown field `titel`"),
             ("size = \"64x36\"", "repeats = 0", "at least 1"),
             ("= 0.02", "= []", "a number or a string"),

@@ -36,7 +36,8 @@ pub struct Row {
     pub rmse: f64,
     /// The share of pixels that are off by more than 8/255, the largest of any moment.
     pub above_8: f64,
-    /// Whether no other variant that is held against the same reference is both faster and nearer.
+    /// Whether no other variant that is held against the same reference at the same moments is both faster
+    /// and nearer.
     pub is_best: bool,
 }
 
@@ -107,8 +108,7 @@ fn row(cells: &[Cell], pixels: u32) -> Row {
 
 /// The cheapest variant whose error, and whose share of pixels that hit what the reference misses or the
 /// other way round, are no more than this, of those that are held against the study's own
-/// reference: by time, or by rounds of loops where the
-/// device cannot tell its time.
+/// reference at its own moments: by time, or by rounds of loops where the device cannot tell its time.
 pub fn cheapest(rows: &[Row], goal: f64) -> Option<&Row> {
     let cost = |row: &&Row| row.milliseconds.unwrap_or(row.rounds);
     rows.iter()

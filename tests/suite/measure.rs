@@ -6,7 +6,7 @@ use std::path::Path;
 use vitrine::measure::compare::quantile;
 use vitrine::measure::run::{Cell, Findings, Surroundings, run};
 use vitrine::measure::study::{Study, Variant};
-use vitrine::measure::summary::{cheapest, rows};
+use vitrine::measure::summary::{Row, cheapest, rows};
 use vitrine::render::Gpu;
 
 use crate::support::{Folder, gpu, vitrine};
@@ -178,6 +178,85 @@ fn expected_rounds(step: f64) -> f64 {
         }
     }
     rounds / (64.0 * 32.0)
+}
+
+#[test]
+fn families_are_measured_at_their_own_moments() {
+    let Some(gpu) = gpu() else { return };
+    if !gpu.has_float64() {
+        return eprintln!("skipped: no 64-bit floats");
+    }
+    // What is off grows with the time: by 1/64 a second in the picture, by a tenth in `t`.
+    let text = "
+#define OFF 0.0
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    float t = 1. + .1 * OFF * iTime;
+    fragColor = vec4(vec3(.25 + OFF * iTime / 64.), 1.);
+}";
+    let study = r#"
+title = "What grows"
+scene = "grows.glsl"
+size = "8x8"
+times = [1, 2]
+probe = "t"
+repeats = 1
+goals = [0.25, 10.0]
+[reference]
+[[family]]
+name = "study's"
+define = { OFF = 1.0 }
+[[family]]
+name = "late"
+define = { OFF = 1.0 }
+times = [16]
+[[family]]
+name = "as late"
+times = [16]
+"#;
+    let folder = Folder::new();
+    folder.write("grows.glsl", text);
+    folder.write("study.toml", study);
+    let study = Study::parse(study).expect("a study");
+    let around = Surroundings {
+        gpu,
+        folder: folder.path(),
+        progress: &mut |_| {},
+        known: &|_, _| None,
+        keep: &mut |_| {},
+    };
+    let found = run(&study, around).expect("good scenes");
+    let expected = [
+        ("study's", 1.0, 1.0),
+        ("study's", 2.0, 2.0),
+        ("late", 16.0, 16.0),
+        ("as late", 16.0, 0.0),
+    ];
+    assert_eq!(found.cells.len(), expected.len());
+    for (cell, (family, time, off)) in found.cells.iter().zip(expected) {
+        assert_eq!((cell.family.as_str(), cell.time), (family, time));
+        assert_three_digits(cell.total.picture.rmse, off / 64.0);
+        assert_three_digits(cell.error(), 0.1 * off);
+    }
+    let worst: Vec<_> = found.worst.iter().map(|worst| worst.time).collect();
+    assert_eq!(worst, [16.0, 2.0, 1.0]);
+    let [first, second, third] = [0, 1, 2].map(|at| found.worst[at].difference.rgba[0][0]);
+    assert_eq!([first, second, third], [0.25, 1.0 / 32.0, 1.0 / 64.0]);
+    // Variants of other moments do not compete.
+    let rows = rows(&found);
+    assert!(rows[0].is_best && rows[2].is_best);
+    assert_eq!(
+        cheapest(&rows, 10.0).map(Row::name),
+        Some("study's".to_owned())
+    );
+    let outcome = vitrine("measure")
+        .arg(folder.path().join("study.toml"))
+        .arg("-o")
+        .arg(folder.path().join("report"))
+        .run();
+    assert_eq!(outcome.code, Some(0), "{}", outcome.stderr);
+    let report = fs::read_to_string(folder.path().join("report/report.md")).expect("a report");
+    let moments = "8×8 pixels at 1 s, 2 s (study's), at 16 s (late; as late); error";
+    assert!(report.contains(moments), "{report}");
 }
 
 #[test]
