@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::run::{Errors, Findings};
+use super::run::Findings;
 use super::study::{ReferencePrecision, Study};
 use super::summary::{Row, cheapest};
 
@@ -110,7 +110,8 @@ pub fn markdown(
         ReferencePrecision::Single => "32 bits",
     };
     let _ = write!(text, "The reference is computed in {precision}");
-    let largest = findings.reference.iter().map(Errors::main);
+    let cells = findings.cells.iter();
+    let largest = cells.filter_map(|cell| Some(cell.reference_error?.main()));
     match largest.reduce(f64::max) {
         Some(own) => {
             let _ = writeln!(text, "; refined once more it moves by {}.\n", number(own));

@@ -33,6 +33,10 @@ pub struct Cell {
     pub discretisation: Option<Errors>,
     /// The part that comes of rounding: the variant in 32 bits against itself in 64.
     pub rounding: Option<Errors>,
+    /// How far the reference is from itself refined, if it is to be.
+    // What was kept before there was this is not to be read as if there were none.
+    #[serde(deserialize_with = "Option::deserialize")]
+    pub reference_error: Option<Errors>,
     /// Seconds that the device drew, ascending, one for each repetition.
     pub seconds: Vec<f64>,
 }
@@ -70,8 +74,6 @@ impl Errors {
 pub struct Findings {
     /// Every variant at every moment.
     pub cells: Vec<Cell>,
-    /// How far each reference that is refined is from itself refined, at each moment.
-    pub reference: Vec<Errors>,
     /// How many pixels a picture has.
     pub pixels: u32,
     /// The pictures that are furthest from the reference's.
@@ -126,70 +128,70 @@ struct Views {
     components: usize,
 }
 
+/// What variants are held against.
+struct Truth {
+    views: Views,
+    /// How far it is from itself refined, at each moment; empty if it is not to be.
+    refined: Vec<Errors>,
+}
+
 /// Carries a study out.
 pub fn run(study: &Study, around: Surroundings<'_>) -> Result<Findings, OpenError> {
     let variants = study.variants(around.folder);
     let references = study.references(around.folder);
+    let known: Vec<Option<Vec<Cell>>> = variants
+        .iter()
+        .map(|variant| known(variant, around.known))
+        .collect();
+    let mut is_needed = vec![false; references.len()];
+    for (variant, known) in variants.iter().zip(&known) {
+        is_needed[variant.reference] |= known.is_none();
+    }
+    let unknown = known.iter().filter(|known| known.is_none()).count();
+    let needed = is_needed.iter().filter(|&&needed| needed).count();
     let mut run = Run {
         study,
         done: 0,
-        of: variants.len() + references.len() + study.repeats as usize,
+        // The last one is the worst pictures.
+        of: needed + unknown + study.repeats as usize + 1,
         around,
     };
-    let (mut truths, mut reference) = (Vec::new(), Vec::new());
-    for (variant, refined) in &references {
-        run.step(&variant.name());
-        let truth = run.views(variant, run.reference_precision())?;
-        if let Some(refined) = refined {
-            let refined = run.views(refined, run.reference_precision())?;
-            reference.extend(refined.errors(&truth, study));
-        }
-        truths.push(truth);
+    let mut truths = Vec::new();
+    for (is_needed, (reference, refined)) in is_needed.into_iter().zip(&references) {
+        truths.push(match is_needed {
+            true => Some(run.truth(reference, refined.as_ref())?),
+            false => None,
+        });
     }
     let mut cells = Vec::new();
-    for variant in &variants {
-        run.step(&variant.name());
-        let times = variant.times.iter();
-        let known: Option<Vec<Cell>> = times
-            .map(|&time| (run.around.known)(variant, time))
-            .collect();
-        match known {
-            Some(known) => cells.extend(known),
-            None => {
-                let found = run.cells(variant, &truths[variant.reference])?;
+    for (variant, known) in variants.iter().zip(known) {
+        match (known, &truths[variant.reference]) {
+            (None, Some(truth)) => {
+                let found = run.cells(variant, truth)?;
                 found.iter().for_each(|cell| (run.around.keep)(cell));
                 cells.extend(found);
             }
+            (known, _) => cells.extend(known.into_iter().flatten()),
         }
     }
     let mut subjects = run.time(&variants, &mut cells)?;
-    let mut order: Vec<usize> = (0..cells.len()).collect();
-    order.sort_by(|&a, &b| {
-        let rmse = |at: usize| cells[at].total.picture.rmse;
-        rmse(b).total_cmp(&rmse(a))
-    });
-    // Which variant a cell is of, and which of its moments.
-    let cells_of = |(index, variant): (usize, &Variant)| {
-        let moments = 0..variant.times.len();
-        moments.map(move |at| (index, at)).collect::<Vec<_>>()
-    };
-    let places: Vec<_> = variants.iter().enumerate().flat_map(cells_of).collect();
-    let mut worst = Vec::new();
-    for (index, at) in order.into_iter().take(WORST).map(|cell| places[cell]) {
-        let variant = &variants[index];
-        let image = run.draw(&mut subjects[index], variant.times[at])?.image;
-        worst.push(Worst {
-            name: variant.name(),
-            time: variant.times[at],
-            difference: compare::difference(&image, &truths[variant.reference].pictures[at]),
-        });
-    }
+    let worst = run.worst(&variants, &references, &truths, &cells, &mut subjects)?;
     Ok(Findings {
         worst,
         cells,
-        reference,
         pixels: study.size.element_product(),
     })
+}
+
+/// What is known of a variant, if it is known of all moments.
+fn known(variant: &Variant, known: &dyn Fn(&Variant, f64) -> Option<Cell>) -> Option<Vec<Cell>> {
+    let cell = |&time: &f64| {
+        Some(Cell {
+            reference: variant.reference,
+            ..known(variant, time)?
+        })
+    };
+    variant.times.iter().map(cell).collect()
 }
 
 impl Views {
@@ -276,15 +278,31 @@ impl Run<'_, '_> {
         })
     }
 
+    fn truth(
+        &mut self,
+        reference: &Variant,
+        refined: Option<&Variant>,
+    ) -> Result<Truth, OpenError> {
+        self.step(&reference.name());
+        let precision = self.reference_precision();
+        let views = self.views(reference, precision)?;
+        let refined = match refined {
+            Some(refined) => self.views(refined, precision)?.errors(&views, self.study),
+            None => Vec::new(),
+        };
+        Ok(Truth { views, refined })
+    }
+
     /// Everything about a variant but its times.
-    fn cells(&mut self, variant: &Variant, truth: &Views) -> Result<Vec<Cell>, OpenError> {
+    fn cells(&mut self, variant: &Variant, truth: &Truth) -> Result<Vec<Cell>, OpenError> {
+        self.step(&variant.name());
         let study = self.study;
         let single = self.views(variant, Precision::Single)?;
-        let total = single.errors(truth, study);
+        let total = single.errors(&truth.views, study);
         let (mut discretisation, mut rounding) = (Vec::new(), Vec::new());
         if study.reference.precision == ReferencePrecision::Double {
             let double = self.views(variant, Precision::Double)?;
-            discretisation = double.errors(truth, study);
+            discretisation = double.errors(&truth.views, study);
             rounding = single.errors(&double, study);
         }
         let (rounds, _) = self.images(variant, Precision::Single, Output::AllRounds)?;
@@ -300,6 +318,7 @@ impl Run<'_, '_> {
                 total: total[at],
                 discretisation: discretisation.get(at).copied(),
                 rounding: rounding.get(at).copied(),
+                reference_error: truth.refined.get(at).copied(),
                 seconds: Vec::new(),
             }
         };
@@ -335,5 +354,52 @@ impl Run<'_, '_> {
             cell.seconds.sort_by(f64::total_cmp);
         }
         Ok(subjects)
+    }
+
+    /// The pictures that are furthest off. Of a reference that was not drawn, because all that is held against it is
+    /// known from before, the picture alone is drawn.
+    fn worst(
+        &mut self,
+        variants: &[Variant],
+        references: &[(Variant, Option<Variant>)],
+        truths: &[Option<Truth>],
+        cells: &[Cell],
+        subjects: &mut [Subject],
+    ) -> Result<Vec<Worst>, OpenError> {
+        self.step("the worst pictures");
+        // Which variant a cell is of, and which of its moments.
+        let moments =
+            |variant: usize| (0..variants[variant].times.len()).map(move |at| (variant, at));
+        let places = (0..variants.len()).flat_map(moments);
+        let mut order: Vec<_> = cells.iter().zip(places).collect();
+        order.sort_by(|(a, _), (b, _)| {
+            let [a, b] = [a, b].map(|cell| cell.total.picture.rmse);
+            b.total_cmp(&a)
+        });
+        let mut drawn: Vec<Option<Subject>> = references.iter().map(|_| None).collect();
+        let mut worst = Vec::new();
+        for (cell, (variant, at)) in order.into_iter().take(WORST) {
+            let image = self.draw(&mut subjects[variant], cell.time)?.image;
+            let difference = match &truths[cell.reference] {
+                Some(truth) => compare::difference(&image, &truth.views.pictures[at]),
+                None => {
+                    let subject = match &mut drawn[cell.reference] {
+                        Some(subject) => subject,
+                        empty => empty.insert(self.open(
+                            &references[cell.reference].0,
+                            self.reference_precision(),
+                            Output::Colour,
+                        )?),
+                    };
+                    compare::difference(&image, &self.draw(subject, cell.time)?.image)
+                }
+            };
+            worst.push(Worst {
+                name: variants[variant].name(),
+                time: cell.time,
+                difference,
+            });
+        }
+        Ok(worst)
     }
 }

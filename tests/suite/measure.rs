@@ -144,7 +144,7 @@ fn errors_are_those_of_the_formula() {
         );
     }
     assert_eq!(probe(misses).disagreements, 8 * 32);
-    assert_eq!(found.reference[0].main(), 0.0);
+    assert_eq!(exact.reference_error.expect("it is refined").main(), 0.0);
     let rows = rows(&found);
     let cheapest = |goal| cheapest(&rows, goal).map(|row| row.family.as_str());
     assert_eq!(cheapest(1e-6), Some("exact"));
