@@ -1,0 +1,5 @@
+// Not in the seed: whether the march is refined.
+#define BISECT 1
+#if !BISECT
+#undef raymarch
+#endif
