@@ -102,7 +102,7 @@ pub struct Progress<'a> {
     pub done: usize,
     /// Steps in all.
     pub of: usize,
-    /// What comes next.
+    /// What comes next, or is under way.
     pub next: &'a str,
 }
 
@@ -112,7 +112,7 @@ pub struct Surroundings<'a> {
     pub gpu: &'a Gpu,
     /// The folder that the study's paths begin at.
     pub folder: &'a Path,
-    /// Told before each step, and while the device is waited for.
+    /// Told before each step, and before each scene that is opened and each frame that is drawn.
     pub progress: &'a mut dyn FnMut(Progress<'_>),
     /// Asked for what an earlier run found out about a variant at a moment.
     pub known: &'a dyn Fn(&Variant, f64) -> Option<Cell>,
@@ -151,9 +151,10 @@ pub fn run(study: &Study, around: Surroundings<'_>) -> Result<Findings, OpenErro
     let needed = is_needed.iter().filter(|&&needed| needed).count();
     let mut run = Run {
         study,
-        done: 0,
-        // The last one is the worst pictures.
-        of: needed + unknown + study.repeats as usize + 1,
+        begun: 0,
+        name: String::new(),
+        // The last two are to compile what is timed, and the worst pictures.
+        of: needed + unknown + study.repeats as usize + 2,
         around,
     };
     let mut truths = Vec::new();
@@ -211,16 +212,26 @@ impl Views {
 
 struct Run<'s, 'a> {
     study: &'s Study,
-    done: usize,
+    /// Steps that were begun, and the name of the last.
+    begun: usize,
+    name: String,
     of: usize,
     around: Surroundings<'a>,
 }
 
 impl Run<'_, '_> {
-    fn step(&mut self, next: &str) {
-        let (done, of) = (self.done, self.of);
-        (self.around.progress)(Progress { done, of, next });
-        self.done += 1;
+    fn step(&mut self, name: &str) {
+        self.begun += 1;
+        name.clone_into(&mut self.name);
+        self.tell();
+    }
+
+    fn tell(&mut self) {
+        (self.around.progress)(Progress {
+            done: self.begun - 1,
+            of: self.of,
+            next: &self.name,
+        });
     }
 
     fn reference_precision(&self) -> Precision {
@@ -231,7 +242,7 @@ impl Run<'_, '_> {
     }
 
     fn open(
-        &self,
+        &mut self,
         variant: &Variant,
         precision: Precision,
         output: Output,
@@ -243,10 +254,12 @@ impl Run<'_, '_> {
             ..Options::default()
         };
         let source = Source::Path(variant.scene.clone());
+        self.tell();
         Subject::open(self.around.gpu, &source, &options, self.study.size)
     }
 
     fn draw(&mut self, subject: &mut Subject, time: f64) -> Result<Drawn, OpenError> {
+        self.tell();
         let input = Clock::fixed(60.0).at_time(time, self.study.size);
         Ok(subject.draw(self.around.gpu, &input, &mut || {})?)
     }
@@ -331,6 +344,7 @@ impl Run<'_, '_> {
         variants: &[Variant],
         cells: &mut [Cell],
     ) -> Result<Vec<Subject>, OpenError> {
+        self.step("compiling");
         let mut subjects = Vec::with_capacity(variants.len());
         for variant in variants {
             let mut subject = self.open(variant, Precision::Single, Output::Colour)?;

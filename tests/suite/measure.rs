@@ -217,10 +217,11 @@ times = [16]
     folder.write("grows.glsl", text);
     folder.write("study.toml", study);
     let study = Study::parse(study).expect("a study");
+    let mut told = 0;
     let around = Surroundings {
         gpu,
         folder: folder.path(),
-        progress: &mut |_| {},
+        progress: &mut |_| told += 1,
         known: &|_, _| None,
         keep: &mut |_| {},
     };
@@ -232,6 +233,8 @@ times = [16]
         ("as late", 16.0, 0.0),
     ];
     assert_eq!(found.cells.len(), expected.len());
+    // Six frames of references, five of each cell; timing draws once more at first. A watchdog hears of all.
+    assert!(told >= 6 + 5 * 4 + 3 + 4 + 3, "{told}");
     for (cell, (family, time, off)) in found.cells.iter().zip(expected) {
         assert_eq!((cell.family.as_str(), cell.time), (family, time));
         assert_three_digits(cell.total.picture.rmse, off / 64.0);
