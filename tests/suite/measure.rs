@@ -1,5 +1,6 @@
 //! `vitrine measure`: what it says of scenes whose truth is known in closed form.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -67,17 +68,19 @@ fn findings(
     gpu: &Gpu,
     folder: &Path,
     known: &dyn Fn(&Variant, f64) -> Option<Cell>,
-) -> (Findings, usize) {
+) -> (Findings, usize, BTreeSet<String>) {
     let study = Study::parse(STUDY).expect("a study");
-    let mut kept = 0;
+    let (mut kept, mut steps) = (0, BTreeSet::new());
     let around = Surroundings {
         gpu,
         folder,
-        progress: &mut |_| {},
+        progress: &mut |step| {
+            steps.insert(step.next.to_owned());
+        },
         known,
         keep: &mut |_| kept += 1,
     };
-    (run(&study, around).expect("good scenes"), kept)
+    (run(&study, around).expect("good scenes"), kept, steps)
 }
 
 /// The relative errors of steps, sorted.
@@ -110,8 +113,9 @@ fn errors_are_those_of_the_formula() {
         return eprintln!("skipped: no 64-bit floats");
     }
     let folder = folder();
-    let (found, kept) = findings(gpu, folder.path(), &|_, _| None);
+    let (found, kept, steps) = findings(gpu, folder.path(), &|_, _| None);
     assert_eq!(kept, found.cells.len());
+    assert!(steps.contains("reference") && steps.contains("misses"));
     let [exact, shifted, coarse, middle, fine, misses] = found.cells.as_slice() else {
         panic!("{:?}", found.cells);
     };
@@ -150,7 +154,7 @@ fn errors_are_those_of_the_formula() {
     assert_eq!(cheapest(1e-6), Some("exact"));
     assert_eq!(cheapest(-1.0), None);
     // What was found once is found again, and what is known is not looked for.
-    let (again, kept) = findings(gpu, folder.path(), &|variant, time| {
+    let (again, kept, steps) = findings(gpu, folder.path(), &|variant, time| {
         let mut known = found.cells.iter();
         known
             .find(|cell| {
@@ -159,13 +163,16 @@ fn errors_are_those_of_the_formula() {
             .cloned()
     });
     assert_eq!(kept, 0);
-    let (fresh, _) = findings(gpu, folder.path(), &|_, _| None);
+    assert!(!steps.contains("reference") && !steps.contains("misses"));
+    let (fresh, ..) = findings(gpu, folder.path(), &|_, _| None);
     for (a, b) in again.cells.iter().zip(&fresh.cells) {
         assert_eq!(
             (a.total, a.discretisation, a.rounding, a.rounds),
             (b.total, b.discretisation, b.rounding, b.rounds)
         );
+        assert_eq!(a.reference_error, b.reference_error);
     }
+    assert_eq!(again.worst, fresh.worst);
 }
 
 /// The mean number of steps: the round that finds itself below the plane counts too.
