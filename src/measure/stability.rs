@@ -16,8 +16,8 @@ use crate::translate::{Checks, Options, Output, Precision};
 /// The size of pictures where the size itself is not what varies.
 pub const SIZE: UVec2 = UVec2::new(96, 54);
 
-/// The rounds that loops not known to end may make in a pixel. Mesa's drivers on the CPU end any loop
-/// after 65,535, without a word.
+/// The rounds that loops not known to end may make in a pixel. Mesa's drivers on the CPU end all loops
+/// of a pixel after 65,535 together, without a word.
 pub const ROUND_BUDGET: u32 = 50_000;
 
 /// From which share of pixels on, off by more than 8/255, 32 bits no longer draw the picture.
