@@ -29,7 +29,8 @@ const CELLS: &str = "cells.jsonl";
 struct Key {
     version: String,
     adapter: String,
-    /// Every text of the scene and of the reference, and their macros, as a number.
+    /// Every text of the scene and of the reference, their channels and macros, and the reference's
+    /// precision, as a number.
     texts: u64,
     family: String,
     label: String,
@@ -221,6 +222,7 @@ fn one_off(args: &MeasureArgs) -> anyhow::Result<Study> {
 /// A number for all that the study reads; `None` if a scene is broken, which has been said then.
 fn texts(study: &Study, folder: &Path) -> anyhow::Result<Option<u64>> {
     let mut hash = Fnv::default();
+    hash.add(format!("{:?}", study.reference.precision).as_bytes());
     let mut all = study.variants(folder);
     for (reference, refined) in study.references(folder) {
         all.push(reference);
@@ -239,6 +241,7 @@ fn texts(study: &Study, folder: &Path) -> anyhow::Result<Option<u64>> {
             for &file in &pass.sources {
                 hash.add(scene.files.get(file).text.as_bytes());
             }
+            hash.add(format!("{:?}", pass.channels).as_bytes());
         }
         for (name, value) in &variant.defines {
             hash.add(name.as_bytes());

@@ -308,6 +308,11 @@ fn the_command_writes_a_report_and_goes_on_where_it_was() {
     fs::write(out.join("cells.jsonl"), &kept[..third + 40]).expect("a file");
     let said = measure();
     assert!(said.contains("3 of them known from before"), "{said}");
+    // Another reference is another study.
+    let single = STUDY.replace("[reference]", "[reference]\nprecision = \"f32\"");
+    folder.write("study.toml", &single);
+    let said = measure();
+    assert!(!said.contains("known from before"), "{said}");
 }
 
 #[test]
