@@ -37,7 +37,7 @@ const LEAST: f64 = 1e-9;
 /// Draws a curve for each family, a ring around what no other variant beats; `None` if there is nothing
 /// to draw.
 pub fn plot(rows: &[Row], against: Against, title: &str, error: &str) -> Option<String> {
-    let point = |row: &Row| Some((against.of(row).filter(|x| *x > 0.0)?, row.error.max(LEAST)));
+    let point = |row: &Row| Some((against.of(row).filter(|x| *x > 0.0)?, row.error?.max(LEAST)));
     let points: Vec<_> = rows.iter().filter_map(point).collect();
     if points.is_empty() {
         return None;

@@ -55,14 +55,14 @@ pub fn csv(rows: &[Row]) -> String {
         let known = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:e}"));
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{:e},{:e},{},{},{},{},{:e},{:e},{}",
+            "{},{},{},{},{},{:e},{},{},{},{},{},{:e},{:e},{}",
             quoted(&row.family),
             quoted(&row.label),
             known(row.milliseconds),
             known(row.spread),
             known(row.nanoseconds),
             row.rounds,
-            row.error,
+            known(row.error),
             known(row.discretisation),
             known(row.rounding),
             known(row.p99),
@@ -111,7 +111,7 @@ pub fn markdown(
     };
     let _ = write!(text, "The reference is computed in {precision}");
     let cells = findings.cells.iter();
-    let largest = cells.filter_map(|cell| Some(cell.reference_error?.main()));
+    let largest = cells.filter_map(|cell| cell.reference_error?.main());
     match largest.reduce(f64::max) {
         Some(own) => {
             let _ = writeln!(text, "; refined once more it moves by {}.\n", number(own));
@@ -129,7 +129,7 @@ pub fn markdown(
                     .map_or(format!("{:.0} rounds", row.rounds), |ms| format!(
                         "{ms:.2} ms"
                     )),
-                number(row.error)
+                row.error.map_or("–".to_owned(), number)
             ),
             None => writeln!(
                 text,
@@ -213,7 +213,7 @@ fn table(text: &mut String, rows: &[Row], has_probe: bool) {
             row.nanoseconds
                 .map_or("–".to_owned(), |ns| format!("{ns:.1}")),
             row.rounds,
-            number(row.error),
+            known(row.error),
             known(row.discretisation),
             known(row.rounding)
         );

@@ -57,15 +57,19 @@ impl Cell {
     }
 
     /// The error that the study is about.
-    pub fn error(&self) -> f64 {
+    pub fn error(&self) -> Option<f64> {
         self.total.main()
     }
 }
 
 impl Errors {
-    /// The probe's median, or the picture's RMSE where there is no probe.
-    pub fn main(&self) -> f64 {
-        self.probe.map_or(self.picture.rmse, |probe| probe.median)
+    /// The probe's median, or the picture's RMSE where there is no probe; `None` of a probe that has no
+    /// pixel which both hit.
+    pub fn main(&self) -> Option<f64> {
+        match self.probe {
+            Some(probe) => (probe.hits > 0).then_some(probe.median),
+            None => Some(self.picture.rmse),
+        }
     }
 }
 

@@ -22,8 +22,9 @@ pub struct Row {
     pub nanoseconds: Option<f64>,
     /// Rounds of loops a pixel, the mean over the moments.
     pub rounds: f64,
-    /// The largest error of any moment: the probe's median, or the picture's RMSE without a probe.
-    pub error: f64,
+    /// The largest error of any moment: the probe's median, or the picture's RMSE without a probe. `None` if
+    /// at some moment no pixel is hit by both.
+    pub error: Option<f64>,
     /// The same of the method alone.
     pub discretisation: Option<f64>,
     /// The same of rounding alone.
@@ -58,14 +59,15 @@ pub fn rows(findings: &Findings) -> Vec<Row> {
         .collect();
     let points: Vec<_> = rows
         .iter()
-        .map(|row| (row.reference, row.milliseconds, row.error))
+        .map(|row| (row.reference, row.milliseconds.zip(row.error)))
         .collect();
     for row in &mut rows {
-        row.is_best = row.milliseconds.is_some_and(|own| {
-            !points.iter().any(|&(reference, other, error)| {
+        let own = row.milliseconds.zip(row.error);
+        row.is_best = own.is_some_and(|(time, error)| {
+            !points.iter().any(|&(reference, other)| {
                 reference == row.reference
-                    && other.is_some_and(|other| {
-                        (other < own && error <= row.error) || (other <= own && error < row.error)
+                    && other.is_some_and(|other: (f64, f64)| {
+                        (other.0 < time && other.1 <= error) || (other.0 <= time && other.1 < error)
                     })
             })
         });
@@ -79,7 +81,7 @@ fn row(cells: &[Cell], pixels: u32) -> Row {
         let all: Option<Vec<f64>> = cells.iter().map(of).collect();
         all?.into_iter().reduce(f64::max)
     };
-    let part = |errors: Option<Errors>| errors.map(|errors| errors.main());
+    let part = |errors: Option<Errors>| errors?.main();
     let medians: Option<Vec<f64>> = cells.iter().map(Cell::median_seconds).collect();
     let seconds = medians.map(|medians| medians.iter().sum::<f64>() / count);
     Row {
@@ -93,10 +95,13 @@ fn row(cells: &[Cell], pixels: u32) -> Row {
         }),
         nanoseconds: seconds.map(|seconds| seconds * 1e9 / f64::from(pixels)),
         rounds: cells.iter().map(|cell| cell.rounds).sum::<f64>() / count,
-        error: largest(&|cell| Some(cell.error())).unwrap_or(0.0),
+        error: largest(&|cell| cell.error()),
         discretisation: largest(&|cell| part(cell.discretisation)),
         rounding: largest(&|cell| part(cell.rounding)),
-        p99: largest(&|cell| Some(cell.total.probe?.p99)),
+        p99: largest(&|cell| {
+            let probe = cell.total.probe?;
+            (probe.hits > 0).then_some(probe.p99)
+        }),
         disagreements: largest(&|cell| {
             Some(cell.total.probe?.disagreements as f64 / f64::from(pixels))
         }),
@@ -112,7 +117,7 @@ fn row(cells: &[Cell], pixels: u32) -> Row {
 pub fn cheapest(rows: &[Row], goal: f64) -> Option<&Row> {
     let cost = |row: &&Row| row.milliseconds.unwrap_or(row.rounds);
     rows.iter()
-        .filter(|row| row.reference == 0 && row.error <= goal)
+        .filter(|row| row.reference == 0 && row.error.is_some_and(|error| error <= goal))
         .filter(|row| row.disagreements.unwrap_or(0.0) <= goal)
         .min_by(|a, b| cost(a).total_cmp(&cost(b)))
 }

@@ -148,7 +148,10 @@ fn errors_are_those_of_the_formula() {
         );
     }
     assert_eq!(probe(misses).disagreements, 8 * 32);
-    assert_eq!(exact.reference_error.expect("it is refined").main(), 0.0);
+    assert_eq!(
+        exact.reference_error.expect("it is refined").main(),
+        Some(0.0)
+    );
     let rows = rows(&found);
     let cheapest = |goal| cheapest(&rows, goal).map(|row| row.family.as_str());
     assert_eq!(cheapest(1e-6), Some("exact"));
@@ -219,6 +222,10 @@ times = [16]
 [[family]]
 name = "as late"
 times = [16]
+[[family]]
+name = "nowhere"
+define = { OFF = -1.0 }
+times = [16]
 "#;
     let folder = Folder::new();
     folder.write("grows.glsl", text);
@@ -234,26 +241,29 @@ times = [16]
     };
     let found = run(&study, around).expect("good scenes");
     let expected = [
-        ("study's", 1.0, 1.0),
-        ("study's", 2.0, 2.0),
-        ("late", 16.0, 16.0),
-        ("as late", 16.0, 0.0),
+        ("study's", 1.0, Some(1.0)),
+        ("study's", 2.0, Some(2.0)),
+        ("late", 16.0, Some(16.0)),
+        ("as late", 16.0, Some(0.0)),
+        // Where nothing is hit there is no error, and none of 0 either.
+        ("nowhere", 16.0, None),
     ];
     assert_eq!(found.cells.len(), expected.len());
     // Six frames of references, five of each cell; timing draws once more at first. A watchdog hears of all.
-    assert!(told >= 6 + 5 * 4 + 3 + 4 + 3, "{told}");
+    assert!(told >= 6 + 5 * 5 + 4 + 5 + 3, "{told}");
     for (cell, (family, time, off)) in found.cells.iter().zip(expected) {
         assert_eq!((cell.family.as_str(), cell.time), (family, time));
-        assert_three_digits(cell.total.picture.rmse, off / 64.0);
-        assert_three_digits(cell.error(), 0.1 * off);
+        assert_three_digits(cell.total.picture.rmse, off.unwrap_or(16.0) / 64.0);
+        assert_eq!(cell.error().is_some(), off.is_some());
+        assert_three_digits(cell.error().unwrap_or(0.0), 0.1 * off.unwrap_or(0.0));
     }
     let worst: Vec<_> = found.worst.iter().map(|worst| worst.time).collect();
-    assert_eq!(worst, [16.0, 2.0, 1.0]);
+    assert_eq!(worst, [16.0, 16.0, 2.0]);
     let [first, second, third] = [0, 1, 2].map(|at| found.worst[at].difference.rgba[0][0]);
-    assert_eq!([first, second, third], [0.25, 1.0 / 32.0, 1.0 / 64.0]);
+    assert_eq!([first, second, third], [0.25, 0.25, 1.0 / 32.0]);
     // Variants of other moments do not compete.
     let rows = rows(&found);
-    assert!(rows[0].is_best && rows[2].is_best);
+    assert!(rows[0].is_best && rows[2].is_best && !rows[3].is_best);
     assert_eq!(
         cheapest(&rows, 10.0).map(Row::name),
         Some("study's".to_owned())
@@ -265,7 +275,7 @@ times = [16]
         .run();
     assert_eq!(outcome.code, Some(0), "{}", outcome.stderr);
     let report = fs::read_to_string(folder.path().join("report/report.md")).expect("a report");
-    let moments = "8×8 pixels at 1 s, 2 s (study's), at 16 s (late; as late); error";
+    let moments = "8×8 pixels at 1 s, 2 s (study's), at 16 s (late; as late; nowhere); error";
     assert!(report.contains(moments), "{report}");
 }
 
