@@ -15,6 +15,8 @@ pub struct Machine {
     pub adapter: String,
     /// The processor's cores that the program may use.
     pub cores: usize,
+    /// How many rounds all loops of a pixel may make before the driver ends them without a word.
+    pub round_limit: Option<u32>,
     /// This program's version.
     pub version: &'static str,
 }
@@ -48,26 +50,29 @@ pub fn json(study: &Study, findings: &Findings, rows: &[Row], machine: &Machine)
 
 /// A line for each variant.
 pub fn csv(rows: &[Row]) -> String {
-    let mut text = "family,variant,ms,spread,ns_per_pixel,rounds,error,discretisation,rounding,\
-                    p99,disagreements,rmse,above_8,best\n"
+    let mut text = "family,variant,ms,spread,ns_per_pixel,rounds,most_rounds,error,discretisation,\
+                    rounding,p99,disagreements,rmse,psnr,above_1,above_8,best\n"
         .to_owned();
     for row in rows {
         let known = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:e}"));
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{:e},{},{},{},{},{},{:e},{:e},{}",
+            "{},{},{},{},{},{:e},{},{},{},{},{},{},{:e},{},{:e},{:e},{}",
             quoted(&row.family),
             quoted(&row.label),
             known(row.milliseconds),
             known(row.spread),
             known(row.nanoseconds),
             row.rounds,
+            row.most_rounds,
             known(row.error),
             known(row.discretisation),
             known(row.rounding),
             known(row.p99),
             known(row.disagreements),
             row.rmse,
+            known(row.psnr),
+            row.above_1,
             row.above_8,
             row.is_best
         );
@@ -149,11 +154,39 @@ pub fn markdown(
         text,
         "\nVariants in bold are beaten by none in both time and error. *Method* is the error in 64 bits \
          against the reference, *rounding* that of 32 bits against 64.\n\n\
-         Measured with Vitrine {} on {}, {} cores.\n",
-        machine.version, machine.adapter, machine.cores
+         {}Measured with Vitrine {} on {}, {} cores.\n",
+        cut_off(rows, machine),
+        machine.version,
+        machine.adapter,
+        machine.cores
     );
     if !study.findings.trim().is_empty() {
         let _ = write!(text, "\n## What was found\n\n{}\n", study.findings.trim());
+    }
+    text
+}
+
+/// Where the driver may have ended loops.
+fn cut_off(rows: &[Row], machine: &Machine) -> String {
+    let Some(limit) = machine.round_limit else {
+        return String::new();
+    };
+    let is_over = |rounds: f64| rounds >= f64::from(limit);
+    let own = rows.iter().filter(|row| is_over(row.most_rounds));
+    let own: Vec<String> = own.map(Row::name).collect();
+    let references = rows
+        .iter()
+        .filter(|row| row.reference_rounds.is_some_and(is_over));
+    let mut of: Vec<&str> = references.map(|row| row.family.as_str()).collect();
+    of.dedup();
+    let mut text = String::new();
+    for (what, names) in [("", own.join("; ")), ("the reference of ", of.join("; "))] {
+        if !names.is_empty() {
+            let _ = write!(
+                text,
+                "**The driver ends loops after {limit} rounds in a pixel, which some pixels reach in {what}{names}.**\n\n"
+            );
+        }
     }
     text
 }
@@ -190,11 +223,11 @@ fn table(text: &mut String, rows: &[Row], has_probe: bool) {
     let probe_line = if has_probe { "--:|--:|" } else { "" };
     let _ = writeln!(
         text,
-        "| variant | ms | ± | ns/pixel | rounds | error | method | rounding |{probe_head} RMSE | > 8/255 |"
+        "| variant | ms | ± | ns/pixel | rounds | error | method | rounding |{probe_head} RMSE | PSNR | > 1/255 | > 8/255 |"
     );
     let _ = writeln!(
         text,
-        "|---|--:|--:|--:|--:|--:|--:|--:|{probe_line}--:|--:|"
+        "|---|--:|--:|--:|--:|--:|--:|--:|{probe_line}--:|--:|--:|--:|"
     );
     for row in rows {
         let known = |value: Option<f64>| value.map_or("–".to_owned(), number);
@@ -225,7 +258,14 @@ fn table(text: &mut String, rows: &[Row], has_probe: bool) {
                 row.disagreements.map_or("–".to_owned(), percent)
             );
         }
-        let _ = writeln!(text, " {} | {} |", number(row.rmse), percent(row.above_8));
+        let _ = writeln!(
+            text,
+            " {} | {} | {} | {} |",
+            number(row.rmse),
+            row.psnr.map_or("∞".to_owned(), |psnr| format!("{psnr:.1}")),
+            percent(row.above_1),
+            percent(row.above_8)
+        );
     }
 }
 

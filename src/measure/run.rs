@@ -27,6 +27,10 @@ pub struct Cell {
     pub time: f64,
     /// Rounds of loops, a pixel's mean.
     pub rounds: f64,
+    /// The most in one pixel.
+    pub most_rounds: f64,
+    /// The most in one pixel of its reference, if the device has a limit.
+    pub reference_rounds: Option<f64>,
     /// How far it is from the reference, in 32 bits as it is drawn.
     pub total: Errors,
     /// The part of it that comes of the method: both in 64 bits.
@@ -137,6 +141,8 @@ struct Truth {
     views: Views,
     /// How far it is from itself refined, at each moment; empty if it is not to be.
     refined: Vec<Errors>,
+    /// The most rounds of loops in one pixel, at each moment; empty if the device has no limit.
+    most_rounds: Vec<f64>,
 }
 
 /// Carries a study out.
@@ -212,6 +218,12 @@ impl Views {
             })
             .collect()
     }
+}
+
+/// The most rounds in one pixel.
+fn most(rounds: &FloatImage) -> f64 {
+    let counts = rounds.rgba.iter().map(|pixel| f64::from(pixel[0]));
+    counts.fold(0.0, f64::max)
 }
 
 struct Run<'s, 'a> {
@@ -295,6 +307,12 @@ impl Run<'_, '_> {
         })
     }
 
+    /// How many rounds loops make in each pixel.
+    fn rounds(&mut self, variant: &Variant) -> Result<Vec<FloatImage>, OpenError> {
+        let (rounds, _) = self.images(variant, Precision::Single, Output::AllRounds)?;
+        Ok(rounds)
+    }
+
     fn truth(
         &mut self,
         reference: &Variant,
@@ -307,7 +325,15 @@ impl Run<'_, '_> {
             Some(refined) => self.views(refined, precision)?.errors(&views, self.study),
             None => Vec::new(),
         };
-        Ok(Truth { views, refined })
+        let most_rounds = match self.around.gpu.round_limit() {
+            Some(_) => self.rounds(reference)?.iter().map(most).collect(),
+            None => Vec::new(),
+        };
+        Ok(Truth {
+            views,
+            refined,
+            most_rounds,
+        })
     }
 
     /// Everything about a variant but its times.
@@ -322,7 +348,7 @@ impl Run<'_, '_> {
             discretisation = double.errors(&truth.views, study);
             rounding = single.errors(&double, study);
         }
-        let (rounds, _) = self.images(variant, Precision::Single, Output::AllRounds)?;
+        let rounds = self.rounds(variant)?;
         let cell = |at: usize| {
             let counts = rounds[at].rgba.iter().map(|pixel| f64::from(pixel[0]));
             Cell {
@@ -332,6 +358,8 @@ impl Run<'_, '_> {
                 reference: variant.reference,
                 time: variant.times[at],
                 rounds: counts.sum::<f64>() / f64::from(study.size.element_product()),
+                most_rounds: most(&rounds[at]),
+                reference_rounds: truth.most_rounds.get(at).copied(),
                 total: total[at],
                 discretisation: discretisation.get(at).copied(),
                 rounding: rounding.get(at).copied(),

@@ -22,6 +22,10 @@ pub struct Row {
     pub nanoseconds: Option<f64>,
     /// Rounds of loops a pixel, the mean over the moments.
     pub rounds: f64,
+    /// The most in one pixel, at any moment.
+    pub most_rounds: f64,
+    /// The same of the reference, if the device has a limit.
+    pub reference_rounds: Option<f64>,
     /// The largest error of any moment: the probe's median, or the picture's RMSE without a probe. `None` if
     /// at some moment no pixel is hit by both.
     pub error: Option<f64>,
@@ -35,6 +39,11 @@ pub struct Row {
     pub disagreements: Option<f64>,
     /// The picture's RMSE, the largest of any moment.
     pub rmse: f64,
+    /// The picture's peak signal-to-noise ratio in decibels, the smallest of any moment; `None` where it is
+    /// infinite.
+    pub psnr: Option<f64>,
+    /// The share of pixels that are off by more than 1/255, the largest of any moment.
+    pub above_1: f64,
     /// The share of pixels that are off by more than 8/255, the largest of any moment.
     pub above_8: f64,
     /// Whether no other variant that is held against the same reference at the same moments is both faster
@@ -95,6 +104,8 @@ fn row(cells: &[Cell], pixels: u32) -> Row {
         }),
         nanoseconds: seconds.map(|seconds| seconds * 1e9 / f64::from(pixels)),
         rounds: cells.iter().map(|cell| cell.rounds).sum::<f64>() / count,
+        most_rounds: largest(&|cell| Some(cell.most_rounds)).unwrap_or(0.0),
+        reference_rounds: largest(&|cell| cell.reference_rounds),
         error: largest(&|cell| cell.error()),
         discretisation: largest(&|cell| part(cell.discretisation)),
         rounding: largest(&|cell| part(cell.rounding)),
@@ -106,6 +117,10 @@ fn row(cells: &[Cell], pixels: u32) -> Row {
             Some(cell.total.probe?.disagreements as f64 / f64::from(pixels))
         }),
         rmse: largest(&|cell| Some(cell.total.picture.rmse)).unwrap_or(0.0),
+        psnr: largest(&|cell| Some(-cell.total.picture.psnr))
+            .map(|least| -least)
+            .filter(|least| least.is_finite()),
+        above_1: largest(&|cell| Some(cell.total.picture.above_1)).unwrap_or(0.0),
         above_8: largest(&|cell| Some(cell.total.picture.above_8)).unwrap_or(0.0),
         is_best: false,
     }

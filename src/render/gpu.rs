@@ -217,10 +217,12 @@ impl Gpu {
         self.device.features().contains(wgpu::Features::SHADER_F64)
     }
 
-    /// How many rounds the driver lets a loop make before it ends it without a word, a little less.
+    /// How many rounds the driver lets all loops of a pixel make together before it ends them without a word,
+    /// or a little less.
     pub fn round_limit(&self) -> Option<u32> {
-        // Mesa's drivers on the CPU end every loop after 65,535 rounds (`LP_MAX_TGSI_LOOP_ITERATIONS`).
-        self.adapter.name.contains("llvmpipe").then_some(65_500)
+        // Of Mesa's drivers on the CPU (`LP_MAX_TGSI_LOOP_ITERATIONS`). Pixels that are drawn together have
+        // one count, which is at least that of each.
+        self.adapter.name.contains("llvmpipe").then_some(65_000)
     }
 
     /// Whether shaders can write to buffers, and so note what goes wrong in them.

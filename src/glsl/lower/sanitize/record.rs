@@ -55,6 +55,7 @@ impl Context<'_> {
             memory.flush = Some(flush);
         }
         self.sanitizer.memory = Some(memory);
+        self.add_limit();
     }
 
     fn add_buffer(&mut self) -> Handle<naga::GlobalVariable> {
@@ -286,9 +287,9 @@ impl Builder<'_, '_> {
     }
 
     /// Notes a loop that is cut off, if the condition holds.
-    pub fn note_endless(&mut self, condition: H) {
+    pub fn note_loop(&mut self, hazard: Hazard, condition: H) {
         if self.context.sanitizer.memory.is_some() {
-            let here = self.site(Hazard::Endless, Form::Loop, &[]);
+            let here = self.site(hazard, Form::Loop, &[]);
             self.note(here, here.number, condition, &[]);
         }
     }
