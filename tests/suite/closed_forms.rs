@@ -150,7 +150,7 @@ fn hold_against(text: &str, scene: fn([f64; 2], f64) -> Option<f64>) {
         assert_three_digits(&name("max"), method.max, quantile(&errors, 1.0));
         let mean = errors.iter().sum::<f64>() / errors.len() as f64;
         assert_three_digits(&name("mean"), method.mean, mean);
-        assert_eq!(method.disagreements as usize, disagreements, "{step}");
+        assert_eq!(method.disagreements, disagreements, "{step}");
         // Method and rounding together are the whole, but for pixels that rounding puts on another step.
         let total = cell.total.probe.expect("a probe");
         let apart = (total.mean - method.mean).abs();
