@@ -130,7 +130,6 @@ pub fn measure(args: MeasureArgs) -> anyhow::Result<ExitCode> {
     let resumed = findings.cells.len() - found.len();
     known.extend(found);
     let machine = Machine {
-        round_limit: gpu.round_limit(),
         adapter: gpu.describe(),
         cores: std::thread::available_parallelism().map_or(1, usize::from),
         version: env!("CARGO_PKG_VERSION"),

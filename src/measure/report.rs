@@ -15,8 +15,6 @@ pub struct Machine {
     pub adapter: String,
     /// The processor's cores that the program may use.
     pub cores: usize,
-    /// How many rounds all loops of a pixel may make before the driver ends them without a word.
-    pub round_limit: Option<u32>,
     /// This program's version.
     pub version: &'static str,
 }
@@ -154,39 +152,11 @@ pub fn markdown(
         text,
         "\nVariants in bold are beaten by none in both time and error. *Method* is the error in 64 bits \
          against the reference, *rounding* that of 32 bits against 64.\n\n\
-         {}Measured with Vitrine {} on {}, {} cores.\n",
-        cut_off(rows, machine),
-        machine.version,
-        machine.adapter,
-        machine.cores
+         Measured with Vitrine {} on {}, {} cores.\n",
+        machine.version, machine.adapter, machine.cores
     );
     if !study.findings.trim().is_empty() {
         let _ = write!(text, "\n## What was found\n\n{}\n", study.findings.trim());
-    }
-    text
-}
-
-/// Where the driver may have ended loops.
-fn cut_off(rows: &[Row], machine: &Machine) -> String {
-    let Some(limit) = machine.round_limit else {
-        return String::new();
-    };
-    let is_over = |rounds: f64| rounds >= f64::from(limit);
-    let own = rows.iter().filter(|row| is_over(row.most_rounds));
-    let own: Vec<String> = own.map(Row::name).collect();
-    let references = rows
-        .iter()
-        .filter(|row| row.reference_rounds.is_some_and(is_over));
-    let mut of: Vec<&str> = references.map(|row| row.family.as_str()).collect();
-    of.dedup();
-    let mut text = String::new();
-    for (what, names) in [("", own.join("; ")), ("the reference of ", of.join("; "))] {
-        if !names.is_empty() {
-            let _ = write!(
-                text,
-                "**The driver ends loops after {limit} rounds in a pixel, which some pixels reach in {what}{names}.**\n\n"
-            );
-        }
     }
     text
 }

@@ -29,8 +29,6 @@ pub struct Cell {
     pub rounds: f64,
     /// The most in one pixel.
     pub most_rounds: f64,
-    /// The most in one pixel of its reference, if the device has a limit.
-    pub reference_rounds: Option<f64>,
     /// How far it is from the reference, in 32 bits as it is drawn.
     pub total: Errors,
     /// The part of it that comes of the method: both in 64 bits.
@@ -141,8 +139,6 @@ struct Truth {
     views: Views,
     /// How far it is from itself refined, at each moment; empty if it is not to be.
     refined: Vec<Errors>,
-    /// The most rounds of loops in one pixel, at each moment; empty if the device has no limit.
-    most_rounds: Vec<f64>,
 }
 
 /// Carries a study out.
@@ -325,15 +321,7 @@ impl Run<'_, '_> {
             Some(refined) => self.views(refined, precision)?.errors(&views, self.study),
             None => Vec::new(),
         };
-        let most_rounds = match self.around.gpu.round_limit() {
-            Some(_) => self.rounds(reference)?.iter().map(most).collect(),
-            None => Vec::new(),
-        };
-        Ok(Truth {
-            views,
-            refined,
-            most_rounds,
-        })
+        Ok(Truth { views, refined })
     }
 
     /// Everything about a variant but its times.
@@ -359,7 +347,6 @@ impl Run<'_, '_> {
                 time: variant.times[at],
                 rounds: counts.sum::<f64>() / f64::from(study.size.element_product()),
                 most_rounds: most(&rounds[at]),
-                reference_rounds: truth.most_rounds.get(at).copied(),
                 total: total[at],
                 discretisation: discretisation.get(at).copied(),
                 rounding: rounding.get(at).copied(),

@@ -24,8 +24,6 @@ pub struct Row {
     pub rounds: f64,
     /// The most in one pixel, at any moment.
     pub most_rounds: f64,
-    /// The same of the reference, if the device has a limit.
-    pub reference_rounds: Option<f64>,
     /// The largest error of any moment: the probe's median, or the picture's RMSE without a probe. `None` if
     /// at some moment no pixel is hit by both.
     pub error: Option<f64>,
@@ -105,7 +103,6 @@ fn row(cells: &[Cell], pixels: u32) -> Row {
         nanoseconds: seconds.map(|seconds| seconds * 1e9 / f64::from(pixels)),
         rounds: cells.iter().map(|cell| cell.rounds).sum::<f64>() / count,
         most_rounds: largest(&|cell| Some(cell.most_rounds)).unwrap_or(0.0),
-        reference_rounds: largest(&|cell| cell.reference_rounds),
         error: largest(&|cell| cell.error()),
         discretisation: largest(&|cell| part(cell.discretisation)),
         rounding: largest(&|cell| part(cell.rounding)),

@@ -217,12 +217,11 @@ impl Gpu {
         self.device.features().contains(wgpu::Features::SHADER_F64)
     }
 
-    /// How many rounds the driver lets all loops of a pixel make together before it ends them without a word,
-    /// or a little less.
+    /// How many rounds the driver lets a loop make at most before it ends it without a word, a little less.
     pub fn round_limit(&self) -> Option<u32> {
-        // Of Mesa's drivers on the CPU (`LP_MAX_TGSI_LOOP_ITERATIONS`). Pixels that are drawn together have
-        // one count, which is at least that of each.
-        self.adapter.name.contains("llvmpipe").then_some(65_000)
+        // Mesa's drivers on the CPU grant all loops of a pixel 65,535 rounds together, if not unrolled
+        // (`LP_MAX_TGSI_LOOP_ITERATIONS`). One loop alone surely gets no more.
+        self.adapter.name.contains("llvmpipe").then_some(65_500)
     }
 
     /// Whether shaders can write to buffers, and so note what goes wrong in them.

@@ -124,7 +124,6 @@ impl Site {
                 _ => "finite operands give infinity or what is no number".to_owned(),
             },
             Hazard::Endless => "this loop does not end".to_owned(),
-            Hazard::CutOff => "the driver ends this loop".to_owned(),
         }
     }
 
@@ -172,10 +171,6 @@ impl Site {
             Hazard::NotFinite => (
                 "not-finite",
                 "everything computed from it will be no number either",
-            ),
-            Hazard::CutOff => (
-                "too-many-rounds",
-                "this driver grants all loops of a pixel 65,535 rounds together, and ends them then; a GPU draws on",
             ),
             Hazard::Endless => (
                 "endless-loop",

@@ -47,7 +47,7 @@ pub struct Options {
     /// How many rounds all loops that are not known to end may make in a pixel together; behind that
     /// they end at once. Without it the renderer asks for guards instead, which end no loop soon.
     pub round_budget: Option<u32>,
-    /// How many rounds all loops of a pixel may make together before the driver ends them without a word.
+    /// How many rounds one run of such a loop may make at most.
     pub round_limit: Option<u32>,
     /// What the program looks for while it runs.
     pub checks: Checks,

@@ -111,23 +111,6 @@ fn edges_of_a_picture_count_no_pixel_twice() {
     }
 }
 
-/// Drivers of Mesa's on the CPU end all loops of a pixel after some rounds, which no one else tells of.
-#[test]
-fn a_loop_that_the_driver_ends_is_told() {
-    let Some(gpu) = gpu() else { return };
-    if gpu.round_limit().is_none() {
-        return eprintln!("skipped: the driver ends no loop");
-    }
-    let text = "void mainImage(out vec4 c, in vec2 p) {
-        int n = p.x > 3. && p.x < 4. ? 66000 : 3;
-        float sum = 0.;
-        for (int i = 0; i < 100000; i++) { if (i >= n) break; sum += .001; }
-        c = vec4(fract(sum));
-    }";
-    let found = line(&report(gpu, &pasted(text), UVec2::splat(8)));
-    assert_eq!(found, "too-many-rounds in 8 pixels from (3, 0)");
-}
-
 /// What is valid without checks is valid with them, and both looks number the sites alike.
 #[test]
 fn everything_accepted_can_be_watched() {

@@ -54,8 +54,8 @@ pub struct Options<'a> {
     /// How many rounds all loops that are not known to end may make in a pixel together; behind that
     /// each of them ends at once. Without it a loop may go on for ever.
     pub round_budget: Option<u32>,
-    /// How many rounds all loops of a pixel may make together before the driver ends them without a word;
-    /// with [`Checks`] it is noted.
+    /// How many rounds one run of such a loop may make at most. Some drivers end it there without a word;
+    /// with this it is noted.
     pub round_limit: Option<u32>,
     /// What the program looks for while it runs.
     pub checks: Checks,

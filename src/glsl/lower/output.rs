@@ -5,7 +5,6 @@ use rustc_hash::FxHashMap;
 
 use super::context::Context;
 use super::function::{Builder, H};
-use super::sanitize::Hazard;
 use crate::glsl::arena::Id;
 use crate::glsl::hir::{self, Extent, Hir, Stmt, StmtKind};
 use crate::glsl::prune::Reachable;
@@ -73,8 +72,6 @@ pub(super) struct Record {
     variable: Option<(Handle<naga::GlobalVariable>, Type)>,
     /// The rounds that count against the budget.
     spent: Option<Handle<naga::GlobalVariable>>,
-    /// The rounds that count against the driver's limit.
-    limited: Option<Handle<naga::GlobalVariable>>,
     /// The component that counts each loop.
     components: FxHashMap<(u32, u32), u32>,
 }
@@ -131,13 +128,6 @@ impl Context<'_> {
     fn add_budget(&mut self) {
         if self.options.round_budget.is_some() {
             self.record.spent = Some(self.add_private("rounds", Type::UINT));
-        }
-    }
-
-    /// Makes room to count the rounds of all loops.
-    pub fn add_limit(&mut self) {
-        if self.options.round_limit.is_some() {
-            self.record.limited = Some(self.add_private("all_rounds", Type::UINT));
         }
     }
 
@@ -200,7 +190,7 @@ impl Builder<'_, '_> {
                 // It was this loop that used it up, and not any other that then ends for want of it.
                 let [last, over] = [1, 2].map(|rounds| b.uint(budget + rounds));
                 let is_first = b.binary(naga::BinaryOperator::Equal, before, last);
-                b.note_loop(Hazard::Endless, is_first);
+                b.note_endless(is_first);
                 b.store(pointer, over);
                 b.push(naga::Statement::Break);
             },
@@ -210,55 +200,33 @@ impl Builder<'_, '_> {
         self.store(pointer, after);
     }
 
-    /// Counts a round against [`Options::round_limit`](super::Options::round_limit). A loop that is not known
-    /// to end is ended shortly before the driver would.
-    pub fn limit_round(&mut self, is_finite: bool) {
-        let (Some(variable), Some(limit)) = (
-            self.context.record.limited,
-            self.context.options.round_limit,
-        ) else {
+    /// A counter for the rounds of one run of a loop, if there is a limit.
+    pub fn start_rounds(&mut self) -> Option<H> {
+        self.context.options.round_limit?;
+        let counter = self.acquire(Type::UINT);
+        let zero = self.uint(0);
+        self.store(counter, zero);
+        Some(counter)
+    }
+
+    /// Ends a loop when it has made as many rounds as it may.
+    pub fn limit_round(&mut self, counter: H) {
+        let Some(limit) = self.context.options.round_limit else {
             return;
         };
-        let pointer = self.global(variable);
-        let (before, one) = (self.load(pointer), self.uint(1));
-        if !is_finite {
-            let limit = self.uint(limit - limit / 16);
-            let is_over = self.binary(naga::BinaryOperator::GreaterEqual, before, limit);
-            self.branch(
-                is_over,
-                |b| {
-                    b.note_limit(Hazard::Endless, before);
-                    b.push(naga::Statement::Break);
-                },
-                |_| {},
-            );
-        }
+        let (before, one, limit) = (self.load(counter), self.uint(1), self.uint(limit));
+        let is_over = self.binary(naga::BinaryOperator::GreaterEqual, before, limit);
+        self.branch(
+            is_over,
+            |b| {
+                let yes = b.bool(true);
+                b.note_endless(yes);
+                b.push(naga::Statement::Break);
+            },
+            |_| {},
+        );
         let after = self.sum(before, one);
-        self.store(pointer, after);
-    }
-
-    /// Looks whether the driver has ended a loop that would end by itself.
-    pub fn check_rounds(&mut self) {
-        let (Some(variable), Some(limit)) = (
-            self.context.record.limited,
-            self.context.options.round_limit,
-        ) else {
-            return;
-        };
-        let pointer = self.global(variable);
-        let (rounds, limit) = (self.load(pointer), self.uint(limit));
-        let is_over = self.binary(naga::BinaryOperator::GreaterEqual, rounds, limit);
-        self.branch(is_over, |b| b.note_limit(Hazard::CutOff, rounds), |_| {});
-    }
-
-    /// Notes that the limit is reached, once in a pixel.
-    fn note_limit(&mut self, hazard: Hazard, rounds: H) {
-        let variable = self.context.record.limited.expect("there is a limit");
-        let told = self.uint(1 << 31);
-        let is_first = self.binary(naga::BinaryOperator::Less, rounds, told);
-        self.note_loop(hazard, is_first);
-        let pointer = self.global(variable);
-        self.store(pointer, told);
+        self.store(counter, after);
     }
 
     /// Counts a round of a loop, if it is one that is counted.

@@ -167,6 +167,10 @@ impl<'a> Builder<'_, 'a> {
     fn repeat(&mut self, source: &'a Loop, extent: Extent, before: &'a [Stmt]) {
         let counter = self.counter(source, before);
         let span = self.span;
+        let rounds = match source.is_finite {
+            true => None,
+            false => self.start_rounds(),
+        };
         self.loops.push(source);
         self.open();
         if !source.tests_last
@@ -177,7 +181,9 @@ impl<'a> Builder<'_, 'a> {
         if !source.is_finite {
             self.spend_round();
         }
-        self.limit_round(source.is_finite);
+        if let Some(rounds) = rounds {
+            self.limit_round(rounds);
+        }
         self.record_round(extent);
         let outside = counter.map(|(local, range)| (local, self.ranges.set(local, Some(range))));
         if !self.scope(&source.body) {
@@ -189,14 +195,14 @@ impl<'a> Builder<'_, 'a> {
         let body = self.close();
         self.loops.pop();
         self.span = span;
+        if let Some(rounds) = rounds {
+            self.release(Type::UINT, rounds);
+        }
         self.push(Statement::Loop {
             body,
             continuing: naga::Block::new(),
             break_if: None,
         });
-        if source.is_finite && self.loops.is_empty() {
-            self.check_rounds();
-        }
     }
 
     /// What is done between two rounds of a loop. It stands before each `continue` anew, as compilers

@@ -66,10 +66,8 @@ pub enum Hazard {
     Unset,
     /// Finite operands give infinity or what is no number.
     NotFinite,
-    /// A loop that is not known to end has used up the budget of rounds.
+    /// A loop has used up the budget of rounds.
     Endless,
-    /// The driver has ended a loop because of the rounds that all loops have made.
-    CutOff,
 }
 
 /// A place where something can go wrong.

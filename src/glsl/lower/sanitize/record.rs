@@ -55,7 +55,6 @@ impl Context<'_> {
             memory.flush = Some(flush);
         }
         self.sanitizer.memory = Some(memory);
-        self.add_limit();
     }
 
     fn add_buffer(&mut self) -> Handle<naga::GlobalVariable> {
@@ -287,9 +286,9 @@ impl Builder<'_, '_> {
     }
 
     /// Notes a loop that is cut off, if the condition holds.
-    pub fn note_loop(&mut self, hazard: Hazard, condition: H) {
+    pub fn note_endless(&mut self, condition: H) {
         if self.context.sanitizer.memory.is_some() {
-            let here = self.site(hazard, Form::Loop, &[]);
+            let here = self.site(Hazard::Endless, Form::Loop, &[]);
             self.note(here, here.number, condition, &[]);
         }
     }
