@@ -29,7 +29,10 @@ impl Against {
     }
 }
 
-const SIZE: (u32, u32) = (760, 480);
+const SIZE: (u32, u32) = (980, 480);
+
+/// How much of the width the chart has; the rest is for the families' names, so that they hide no point.
+const CHART: u32 = 720;
 
 /// What an error of 0 is drawn as.
 const LEAST: f64 = 1e-9;
@@ -88,7 +91,8 @@ fn draw(
         let range = marks[0]..marks[marks.len() - 1];
         range.log_scale().with_key_points(marks)
     };
-    let mut chart = ChartBuilder::on(&area)
+    let (left, legend) = area.split_horizontally(CHART);
+    let mut chart = ChartBuilder::on(&left)
         .caption(title, ("sans-serif", 20))
         .margin(12)
         .x_label_area_size(44)
@@ -113,10 +117,11 @@ fn draw(
     for (index, family) in families.enumerate() {
         let colour = Palette99::pick(index).to_rgba();
         let points: Vec<Point> = family.iter().filter_map(point).collect();
-        chart
-            .draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?
-            .label(&family[0].family)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(2)));
+        chart.draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?;
+        let y = 52 + 18 * index as i32;
+        legend.draw(&PathElement::new([(4, y), (24, y)], colour.stroke_width(3)))?;
+        let name = family[0].family.clone();
+        legend.draw(&Text::new(name, (32, y - 6), ("sans-serif", 13)))?;
         let dots = points
             .iter()
             .map(|&point| Circle::new(point, 4, colour.filled()));
@@ -125,12 +130,6 @@ fn draw(
         let rings = best.map(|point| Circle::new(point, 8, BLACK.stroke_width(1)));
         chart.draw_series(rings)?;
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::LowerRight)
-        .background_style(WHITE.mix(0.8))
-        .border_style(BLACK.mix(0.3))
-        .draw()?;
     area.present()?;
     Ok(())
 }
