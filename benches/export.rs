@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 use glam::UVec2;
 use vitrine::export::{Frames, Job, OutPattern, Summary, export};
 use vitrine::frame::Clock;
-use vitrine::render::{AdapterChoice, Format, Gpu, Target, Watchdog};
+use vitrine::render::{AdapterChoice, Gpu, Watchdog};
 use vitrine::scene::Source;
 use vitrine::session::Session;
 use vitrine::translate::Options;
@@ -92,12 +92,13 @@ fn template(gpu: &Gpu) {
 
 /// Draws frames one after the other, waits for them and looks at none.
 fn bare_loop(gpu: &Gpu, session: &Session, size: UVec2, frames: u32) -> Duration {
-    let target = Target::new(gpu, size, Format::Bytes).expect("a size that the adapter draws");
+    let canvas = session.renderer.canvas(gpu, size);
+    let mut canvas = canvas.expect("a size that the adapter draws");
     let clock = Clock::fixed(60.0);
     let start = Instant::now();
     for frame in 0..frames {
         let input = clock.at(frame, size);
-        session.renderer.render(gpu, &input, &target, None);
+        session.renderer.render(gpu, &input, &mut canvas, None);
         gpu.wait().expect("a frame that ends");
     }
     start.elapsed()

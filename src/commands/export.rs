@@ -60,6 +60,12 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     report::show(&session.warnings);
     let opened = started.elapsed();
 
+    let before = job.before(session.renderer.feeds_back()).count();
+    if before > 0 {
+        report::tell(format_args!(
+            "drawing the {before} frames before, which its buffers remember"
+        ));
+    }
     let interrupted = interruption()?;
     let mut progress = Progress::new(job.frames.count(), "frames");
     let result = export::export(&gpu, &session, &job, &watchdog, &mut |written| {

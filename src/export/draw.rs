@@ -4,7 +4,7 @@
 use std::time::{Duration, Instant};
 
 use crate::frame::FrameInput;
-use crate::render::{Format, Gpu, GpuError, Pace, ReadBack, Slot, Target, Watchdog};
+use crate::render::{Canvas, Gpu, GpuError, Pace, ReadBack, Slot, Watchdog};
 use crate::session::Session;
 
 use super::Job;
@@ -14,7 +14,7 @@ const SLOW: Duration = Duration::from_millis(500);
 
 /// What frames are drawn with.
 pub(super) struct Drawing<'a> {
-    pub target: Target,
+    pub canvas: Canvas,
     gpu: &'a Gpu,
     session: &'a Session,
     watchdog: &'a Watchdog,
@@ -37,7 +37,7 @@ impl<'a> Drawing<'a> {
         watchdog: &'a Watchdog,
     ) -> Result<Self, GpuError> {
         Ok(Drawing {
-            target: Target::new(gpu, job.size, Format::Bytes)?,
+            canvas: session.renderer.canvas(gpu, job.size)?,
             gpu,
             session,
             watchdog,
@@ -53,26 +53,29 @@ impl<'a> Drawing<'a> {
     /// Learns how long it took until a frame that was handed over whole was back.
     pub fn waited(&mut self, time: Duration) {
         if time > SLOW {
-            self.pace.took(self.target.size().y, time);
+            self.pace.took(self.canvas.target.size().y, time);
         }
     }
 
-    /// Draws a frame. `waiting` is called now and then.
+    /// Draws a frame, which comes back through the slot if one is given. `waiting` is called now and then.
     pub fn draw(
         &mut self,
         input: &FrameInput,
-        slot: &mut Slot,
+        mut slot: Option<&mut Slot>,
         waiting: &mut dyn FnMut(),
     ) -> Result<Outcome, GpuError> {
         let Drawing {
             gpu,
-            target,
+            canvas,
             watchdog,
             ..
         } = self;
         let renderer = &self.session.renderer;
-        if self.pace.is_whole() {
-            renderer.render(gpu, input, target, Some(slot));
+        // Of frames that do not come back it is not known when they are done.
+        if let Some(slot) = &mut slot
+            && self.pace.is_whole()
+        {
+            renderer.render(gpu, input, canvas, Some(slot));
             return Ok(Outcome::Drawn);
         }
         let began = Instant::now();
@@ -83,8 +86,7 @@ impl<'a> Drawing<'a> {
             began.elapsed() < limit
         };
         let pace = &mut self.pace;
-        let is_drawn =
-            renderer.render_in_bands(gpu, input, target, Some(slot), pace, &mut between)?;
+        let is_drawn = renderer.render_in_bands(gpu, input, canvas, slot, pace, &mut between)?;
         Ok(match is_drawn {
             true => Outcome::Drawn,
             false => Outcome::GivenUp(limit, self.findings_so_far()?),

@@ -157,6 +157,17 @@ impl Job {
         }
     }
 
+    /// The frames that have to be drawn before the first one that is wanted, because it depends on them.
+    pub fn before(&self, feeds_back: bool) -> impl Iterator<Item = (u32, FrameInput)> + '_ {
+        let clock = Clock::fixed(self.fps);
+        let first = match &self.frames {
+            Frames::Range(range) => range.start,
+            Frames::At(time) => clock.at_time(*time, self.size).frame.max(0) as u32,
+        };
+        let count = if feeds_back { first } else { 0 };
+        (0..count).map(move |number| (number, clock.at(number, self.size)))
+    }
+
     /// Every frame's number and input.
     fn inputs(&self) -> impl Iterator<Item = (u32, FrameInput)> + '_ {
         let clock = Clock::fixed(self.fps);
@@ -188,12 +199,15 @@ pub fn export(
         times: job.timed,
         finding_words: session.renderer.finding_words(),
     };
-    let ring = ReadBack::new(gpu, &drawing.target, RING, extras)?;
+    let ring = ReadBack::new(gpu, &drawing.canvas.target, RING, extras)?;
     let mut free = ring.slots;
     let mut under_way = VecDeque::with_capacity(RING);
     let mut encoders = Encoders::start(job.overwrite);
     let mut summary = Summary::default();
-    let mut inputs = job.inputs();
+    let before = job.before(session.renderer.feeds_back());
+    let before = before.map(|(number, input)| (number, input, false));
+    let wanted = job.inputs().map(|(number, input)| (number, input, true));
+    let mut inputs = before.chain(wanted);
     let start = Instant::now();
     let mut came_back = 0;
     watchdog.begin();
@@ -202,22 +216,23 @@ pub fn export(
             // Keep the GPU supplied.
             while !summary.interrupted
                 && (drawing.is_quick() || under_way.is_empty())
-                && let Some(mut slot) = free.pop()
+                && !free.is_empty()
+                && let Some((number, input, is_wanted)) = inputs.next()
             {
-                let Some((number, input)) = inputs.next() else {
-                    free.push(slot);
-                    break;
-                };
+                let mut slot = if is_wanted { free.pop() } else { None };
                 let mut goes_on = true;
                 let mut waiting = || goes_on &= progress(encoders.written);
-                let outcome = drawing.draw(&input, &mut slot, &mut waiting)?;
+                let outcome = drawing.draw(&input, slot.as_mut(), &mut waiting)?;
                 summary.interrupted |= !goes_on;
                 if let Outcome::GivenUp(limit, words) = outcome {
                     let mut findings = std::mem::take(&mut summary.findings);
                     findings.note(&session.programs, &words, &input, &job.within(number));
                     return Err(ExportError::Slow { limit, findings });
                 }
-                under_way.push_back((number, input, slot));
+                match slot {
+                    Some(slot) => under_way.push_back((number, input, slot)),
+                    None => watchdog.begin(),
+                }
             }
             // Take back the oldest frame.
             let Some((number, input, mut slot)) = under_way.pop_front() else {

@@ -116,14 +116,16 @@ pub(super) fn sampler(gpu: &Gpu, channel: Option<&Channel>) -> wgpu::Sampler {
     })
 }
 
-/// `iChannelResolution` of a channel: width, height and depth in texels, 0 if unbound.
-pub(super) fn resolution(channel: Option<&Channel>) -> glam::Vec3 {
+/// `iChannelResolution` of a channel: width, height and depth in texels, 0 if unbound; `None` of a buffer,
+/// which is as large as the picture.
+pub(super) fn resolution(channel: Option<&Channel>) -> Option<glam::Vec3> {
     match channel.map(|channel| &channel.input) {
         Some(Input::Noise) => {
             let size = scene::NOISE_SIZE as f32;
-            glam::vec3(size, size, 1.0)
+            Some(glam::vec3(size, size, 1.0))
         }
-        _ => glam::Vec3::ZERO,
+        Some(Input::Buffer(_)) => None,
+        _ => Some(glam::Vec3::ZERO),
     }
 }
 

@@ -159,7 +159,9 @@ impl Gpu {
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("vitrine"),
             required_features: adapter.features()
-                & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::SHADER_F64),
+                & (wgpu::Features::TIMESTAMP_QUERY
+                    | wgpu::Features::SHADER_F64
+                    | wgpu::Features::FLOAT32_FILTERABLE),
             required_limits: adapter.limits(),
             ..Default::default()
         };
@@ -222,6 +224,15 @@ impl Gpu {
         // Mesa's drivers on the CPU grant all loops of a pixel 65,535 rounds together, if not unrolled
         // (`LP_MAX_TGSI_LOOP_ITERATIONS`). One loop alone surely gets no more.
         self.adapter.name.contains("llvmpipe").then_some(65_500)
+    }
+
+    /// What buffer passes draw: floats of 32 bits, or of 16 where those cannot be read between texels.
+    pub(super) fn buffer_format(&self) -> wgpu::TextureFormat {
+        let features = self.device.features();
+        match features.contains(wgpu::Features::FLOAT32_FILTERABLE) {
+            true => wgpu::TextureFormat::Rgba32Float,
+            false => wgpu::TextureFormat::Rgba16Float,
+        }
     }
 
     /// Whether shaders can write to buffers, and so note what goes wrong in them.

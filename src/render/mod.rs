@@ -1,13 +1,15 @@
 //! Drawing with wgpu: the only room that knows it.
 //!
-//! A [`Renderer`] holds the GPU objects of one scene. It owns no window and reads no clock: device,
+//! A [`Renderer`] holds the GPU objects of one scene, a [`Canvas`] what it draws into. It owns no window and reads no clock: device,
 //! frame input and target come from its caller.
 //!
 //! Orientation: every texture's row 0 is its bottom row, as in GL, and `fragCoord` grows upward. The
 //! picture is turned once, where it leaves the GPU: in [`ReadBack`] and in the window's presenter.
 
+mod buffers;
 mod channel;
 mod gpu;
+mod mipmap;
 mod pace;
 mod pass;
 #[cfg(feature = "window")]
@@ -25,26 +27,47 @@ pub use read_back::{Extras, ReadBack, Slot, Transferred};
 pub use target::{Format, Target};
 pub use watchdog::Watchdog;
 
-use std::ops::Range;
 use std::time::Instant;
 
+use buffers::Buffers;
+use glam::UVec2;
+use mipmap::Mipmaps;
+
 use crate::frame::FrameInput;
-use crate::scene::Scene;
+use crate::scene::{Filter, Scene};
 use crate::translate::Program;
 
 /// What has been handed to the device together.
 #[derive(Debug)]
 pub struct Submission(wgpu::SubmissionIndex);
 
+/// What a scene is drawn into: the picture, and the buffers that its passes draw for each other.
+#[derive(Debug)]
+pub struct Canvas {
+    /// The picture.
+    pub target: Target,
+    buffers: Buffers,
+}
+
+/// Where a frame goes on: a pass, and its next row.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cursor {
+    pass: usize,
+    row: u32,
+}
+
 /// The GPU objects of one scene: pipelines, uniforms, channel textures.
 #[derive(Debug)]
 pub struct Renderer {
     passes: Vec<pass::GpuPass>,
+    format: Format,
+    /// For buffers that are read where they are shrunk.
+    mipmaps: Option<Mipmaps>,
 }
 
 impl Renderer {
     /// Builds everything that the programs use, and nothing else. `programs` are the translations of
-    /// `scene`'s passes, in their order. All targets must have this format.
+    /// `scene`'s passes, in their order. The picture has this format.
     ///
     /// The driver compiles here; some drivers finish only during the first frame.
     pub fn new(
@@ -58,48 +81,167 @@ impl Renderer {
             .iter()
             .zip(programs)
             .map(|(pass, program)| pass::GpuPass::new(gpu, pass, program, format))
-            .collect::<Result<_, _>>()?;
-        Ok(Renderer { passes })
+            .collect::<Result<Vec<_>, _>>()?;
+        let is_shrunk = passes
+            .iter()
+            .flat_map(pass::GpuPass::reads)
+            .any(|(_, filter)| filter == Filter::Mipmap);
+        let mipmaps = match is_shrunk {
+            true => Some(Mipmaps::new(gpu)?),
+            false => None,
+        };
+        Ok(Renderer {
+            passes,
+            format,
+            mipmaps,
+        })
     }
 
-    /// Records the drawing of one frame into `target` and submits it, followed by a copy into
-    /// `read_back`'s slot if one is given.
-    pub fn render(&self, gpu: &Gpu, input: &FrameInput, target: &Target, slot: Option<&mut Slot>) {
-        self.render_rows(gpu, input, target, 0..target.size().y, slot);
+    /// Makes what the scene is drawn into, in pictures of one size, each side from 1 to the device's
+    /// limit. Buffers are clear.
+    pub fn canvas(&self, gpu: &Gpu, size: UVec2) -> Result<Canvas, GpuError> {
+        Ok(Canvas {
+            target: Target::new(gpu, size, self.format)?,
+            buffers: Buffers::new(gpu, &self.passes, size)?,
+        })
     }
 
-    /// The same for some of the picture's rows, counted from the bottom. The first band of a frame begins
-    /// with row 0; the copy follows the last.
-    pub fn render_rows(
+    /// The same in another size. Buffers keep what they hold, from the lower left as far as it fits.
+    pub fn resized(&self, gpu: &Gpu, old: &Canvas, size: UVec2) -> Result<Canvas, GpuError> {
+        let mut canvas = self.canvas(gpu, size)?;
+        canvas.buffers.take_over(gpu, &old.buffers);
+        Ok(canvas)
+    }
+
+    /// Whether a frame depends on the one before: some pass reads what a buffer held then.
+    pub fn feeds_back(&self) -> bool {
+        self.passes.iter().enumerate().any(|(place, pass)| {
+            pass.reads().any(|(letter, _)| {
+                let is_drawn = |pass: &pass::GpuPass| pass.draws() == Some(letter);
+                let writer = self.passes.iter().position(is_drawn);
+                writer.is_some_and(|writer| writer >= place)
+            })
+        })
+    }
+
+    /// Records the drawing of one frame and submits it, followed by a copy into `slot` if one is given. With
+    /// `iFrame` 0 time begins anew: buffers are cleared.
+    pub fn render(
         &self,
         gpu: &Gpu,
         input: &FrameInput,
-        target: &Target,
-        rows: Range<u32>,
+        canvas: &mut Canvas,
         slot: Option<&mut Slot>,
-    ) -> Submission {
-        let mut encoder = gpu
-            .device()
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: None });
-        let is_first = rows.start == 0;
-        let is_last = rows.end >= target.size().y;
+    ) {
+        let mut encoder = encoder(gpu);
+        let mut cursor = Some(Cursor::default());
+        while let Some(from) = cursor {
+            let slot = slot.as_deref();
+            cursor = self.record(gpu, input, canvas, &mut encoder, from, u32::MAX, slot);
+        }
+        self.submit(gpu, encoder, canvas, slot);
+    }
+
+    /// The same for some of a frame's rows, counted from the bottom; returns where it goes on, if it does.
+    /// The copy follows the last.
+    pub fn render_band(
+        &self,
+        gpu: &Gpu,
+        input: &FrameInput,
+        canvas: &mut Canvas,
+        from: Cursor,
+        rows: u32,
+        slot: Option<&mut Slot>,
+    ) -> (Submission, Option<Cursor>) {
+        let mut encoder = encoder(gpu);
+        let next = self.record(
+            gpu,
+            input,
+            canvas,
+            &mut encoder,
+            from,
+            rows,
+            slot.as_deref(),
+        );
+        let slot = slot.filter(|_| next.is_none());
+        (self.submit(gpu, encoder, canvas, slot), next)
+    }
+
+    /// How many rows a band has that begins here, of so many at most.
+    pub fn rows_from(&self, canvas: &Canvas, from: Cursor, most: u32) -> u32 {
+        most.min(canvas.target.size().y - from.row)
+    }
+
+    /// Whether a band of so many rows that begins here is a frame's last.
+    pub fn is_last_band(&self, canvas: &Canvas, from: Cursor, rows: u32) -> bool {
+        from.pass + 1 == self.passes.len() && from.row + rows >= canvas.target.size().y
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "a band has this many sides")]
+    fn record(
+        &self,
+        gpu: &Gpu,
+        input: &FrameInput,
+        canvas: &mut Canvas,
+        encoder: &mut wgpu::CommandEncoder,
+        from: Cursor,
+        rows: u32,
+        slot: Option<&Slot>,
+    ) -> Option<Cursor> {
+        let UVec2 {
+            x: width,
+            y: height,
+        } = canvas.target.size();
+        let end = from.row + self.rows_from(canvas, from, rows);
+        let is_first = from == Cursor::default();
+        let is_last = self.is_last_band(canvas, from, end - from.row);
         if is_first {
             for buffer in self.findings() {
                 encoder.clear_buffer(buffer, 0, None);
             }
+            if input.frame == 0 {
+                canvas.buffers.restart(encoder);
+            }
         }
+        let pass = &self.passes[from.pass];
         let band = pass::Band {
-            rows,
-            timestamps: slot
-                .as_ref()
-                .and_then(|slot| slot.timestamps(is_first, is_last)),
+            width,
+            rows: from.row..end,
+            keeps: pass.draws().is_some(),
+            timestamps: slot.and_then(|slot| slot.timestamps(is_first, is_last)),
         };
-        for pass in &self.passes {
-            pass.draw(gpu, input, &mut encoder, target, band.clone());
+        let buffers = &canvas.buffers;
+        let view = match pass.draws() {
+            Some(letter) => buffers.target(letter),
+            None => canvas.target.view(),
+        };
+        pass.draw(gpu, input, encoder, view, buffers.group(from.pass), band);
+        if end < height {
+            return Some(Cursor { row: end, ..from });
         }
+        if let (Some(letter), Some(mipmaps)) = (pass.draws(), &self.mipmaps) {
+            buffers.shrink(gpu, mipmaps, encoder, letter);
+        }
+        if !is_last {
+            return Some(Cursor {
+                pass: from.pass + 1,
+                row: 0,
+            });
+        }
+        canvas.buffers.frame_drawn();
+        None
+    }
+
+    fn submit(
+        &self,
+        gpu: &Gpu,
+        encoder: wgpu::CommandEncoder,
+        canvas: &Canvas,
+        slot: Option<&mut Slot>,
+    ) -> Submission {
         Submission(match slot {
-            Some(slot) if is_last => slot.copy(gpu, encoder, target, self.findings()),
-            _ => gpu.queue().submit([encoder.finish()]),
+            Some(slot) => slot.copy(gpu, encoder, &canvas.target, self.findings()),
+            None => gpu.queue().submit([encoder.finish()]),
         })
     }
 
@@ -110,29 +252,30 @@ impl Renderer {
         &self,
         gpu: &Gpu,
         input: &FrameInput,
-        target: &Target,
+        canvas: &mut Canvas,
         mut slot: Option<&mut Slot>,
         pace: &mut Pace,
         between: &mut dyn FnMut() -> bool,
     ) -> Result<bool, GpuError> {
-        let height = target.size().y;
-        let mut from = 0;
-        while from < height {
-            let rows = from..height.min(from + pace.rows());
-            from = rows.end;
-            let count = rows.end - rows.start;
+        let mut from = Cursor::default();
+        loop {
+            let rows = self.rows_from(canvas, from, pace.rows());
             let began = Instant::now();
-            let submission = self.render_rows(gpu, input, target, rows, slot.as_deref_mut());
+            let slot = slot.as_deref_mut();
+            let (submission, next) = self.render_band(gpu, input, canvas, from, rows, slot);
             let mut goes_on = true;
             while !gpu.is_done(&submission)? {
                 goes_on &= between();
             }
-            pace.took(count, began.elapsed());
-            if from < height && !(goes_on && between()) {
+            pace.took(rows, began.elapsed());
+            match next {
+                None => return Ok(true),
+                Some(next) => from = next,
+            }
+            if !(goes_on && between()) {
                 return Ok(false);
             }
         }
-        Ok(true)
     }
 
     /// Asks for the findings of what has been drawn of a frame so far.
@@ -154,4 +297,9 @@ impl Renderer {
     pub fn layouts(&self) -> impl Iterator<Item = &PassLayout> {
         self.passes.iter().map(pass::GpuPass::layout)
     }
+}
+
+fn encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
+    let descriptor = wgpu::CommandEncoderDescriptor { label: None };
+    gpu.device().create_command_encoder(&descriptor)
 }

@@ -4,9 +4,9 @@ use glam::Vec3;
 
 use super::channel;
 use super::gpu::{Gpu, GpuError};
-use super::target::{Format, Target};
+use super::target::Format;
 use crate::frame::{FrameInput, SAMPLE_RATE};
-use crate::scene::{CHANNELS, Pass};
+use crate::scene::{BufferLetter, CHANNELS, Channel, Filter, Input, Pass, PassKind};
 use crate::translate::bindings::{self, Uniform};
 use crate::translate::{Program, Tables, UniformBlock};
 
@@ -23,13 +23,36 @@ pub struct PassLayout {
 /// The GPU objects of one pass.
 #[derive(Debug)]
 pub(super) struct GpuPass {
+    kind: PassKind,
     pipeline: wgpu::RenderPipeline,
     layout: PassLayout,
+    group_layout: Option<wgpu::BindGroupLayout>,
+    /// What is bound, if it is the same in every frame.
     bind_group: Option<wgpu::BindGroup>,
     uniforms: Option<Uniforms>,
+    tables: Option<wgpu::Buffer>,
     /// Where the pass notes its findings.
     findings: Option<wgpu::Buffer>,
+    channels: [BoundChannel; CHANNELS],
 }
+
+/// What a pass uses of a channel.
+#[derive(Debug, Default)]
+struct BoundChannel {
+    texture: Option<BoundTexture>,
+    sampler: Option<wgpu::Sampler>,
+}
+
+#[derive(Debug)]
+enum BoundTexture {
+    /// One that does not change.
+    Fixed(wgpu::TextureView),
+    /// What a buffer holds.
+    Buffer(BufferLetter, Filter),
+}
+
+/// Where what a buffer holds can be seen, if it is read so.
+pub(super) type BufferView<'v> = dyn Fn(BufferLetter, Filter) -> &'v wgpu::TextureView + 'v;
 
 impl GpuPass {
     pub fn new(
@@ -52,55 +75,37 @@ impl GpuPass {
             .uniforms
             .as_ref()
             .map(|block| Uniforms::new(gpu, block, pass));
-        let mut textures = [const { None }; CHANNELS];
-        let mut samplers = [const { None }; CHANNELS];
+        let mut channels: [BoundChannel; CHANNELS] = Default::default();
         for (index, usage) in program.channels.iter().enumerate() {
+            let bound = pass.channels[index].as_ref();
             if usage.texture {
-                let texture = channel::texture(gpu, pass.channels[index].as_ref())?;
-                let whole = wgpu::TextureViewDescriptor::default();
-                textures[index] = Some(texture.create_view(&whole));
+                channels[index].texture = Some(match bound {
+                    Some(Channel {
+                        input: Input::Buffer(letter),
+                        sampling,
+                    }) => BoundTexture::Buffer(*letter, sampling.filter),
+                    _ => {
+                        let texture = channel::texture(gpu, bound)?;
+                        let whole = wgpu::TextureViewDescriptor::default();
+                        BoundTexture::Fixed(texture.create_view(&whole))
+                    }
+                });
             }
             if usage.sampler {
-                samplers[index] = Some(channel::sampler(gpu, pass.channels[index].as_ref()));
+                channels[index].sampler = Some(channel::sampler(gpu, bound));
             }
         }
         let tables = program.tables.as_ref().map(|tables| upload(gpu, tables));
         let findings = program.findings.map(|words| findings(gpu, words));
-        let (pipeline, bind_group) = gpu.guarded("compiling the shader", || {
-            let mut entries = Vec::new();
-            let mut bind = |binding, resource| {
-                entries.push(wgpu::BindGroupEntry { binding, resource });
-            };
-            if let Some(uniforms) = &uniforms {
-                bind(bindings::UNIFORMS, uniforms.buffer.as_entire_binding());
-            }
-            if let Some(tables) = &tables {
-                bind(bindings::TABLES, tables.as_entire_binding());
-            }
-            if let Some(findings) = &findings {
-                bind(bindings::FINDINGS, findings.as_entire_binding());
-            }
-            for (index, (texture, sampler)) in textures.iter().zip(&samplers).enumerate() {
-                if let Some(view) = texture {
-                    let resource = wgpu::BindingResource::TextureView(view);
-                    bind(bindings::texture(index), resource);
-                }
-                if let Some(sampler) = sampler {
-                    let resource = wgpu::BindingResource::Sampler(sampler);
-                    bind(bindings::sampler(index), resource);
-                }
-            }
+        let format = match pass.kind {
+            PassKind::Buffer(_) => gpu.buffer_format(),
+            _ => format.texture(),
+        };
+        let (group_layout, pipeline) = gpu.guarded("compiling the shader", || {
             let group_layout = (!layout.entries.is_empty()).then(|| {
                 device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
                     label: None,
                     entries: &layout.entries,
-                })
-            });
-            let bind_group = group_layout.as_ref().map(|layout| {
-                device.create_bind_group(&wgpu::BindGroupDescriptor {
-                    label: None,
-                    layout,
-                    entries: &entries,
                 })
             });
             let fragment = shader_module(gpu, program);
@@ -109,16 +114,62 @@ impl GpuPass {
                 group_layout.as_ref(),
                 &fragment,
                 Program::ENTRY_POINT,
-                format.texture(),
+                format,
             );
-            (pipeline, bind_group)
+            (group_layout, pipeline)
         })?;
-        Ok(GpuPass {
+        let mut pass = GpuPass {
+            kind: pass.kind,
             pipeline,
             layout,
-            bind_group,
+            group_layout,
+            bind_group: None,
             uniforms,
+            tables,
             findings,
+            channels,
+        };
+        if pass.group_layout.is_some() && pass.reads().next().is_none() {
+            let none = |_, _| unreachable!("no buffer is read");
+            let group = gpu.guarded("binding what the shader reads", || pass.bind(gpu, &none))?;
+            pass.bind_group = Some(group);
+        }
+        Ok(pass)
+    }
+
+    /// A bind group of all that the pass uses. Call it within [`Gpu::guarded`].
+    pub fn bind(&self, gpu: &Gpu, buffer: &BufferView<'_>) -> wgpu::BindGroup {
+        let mut entries = Vec::new();
+        let mut bind = |binding, resource| {
+            entries.push(wgpu::BindGroupEntry { binding, resource });
+        };
+        if let Some(uniforms) = &self.uniforms {
+            bind(bindings::UNIFORMS, uniforms.buffer.as_entire_binding());
+        }
+        if let Some(tables) = &self.tables {
+            bind(bindings::TABLES, tables.as_entire_binding());
+        }
+        if let Some(findings) = &self.findings {
+            bind(bindings::FINDINGS, findings.as_entire_binding());
+        }
+        for (index, channel) in self.channels.iter().enumerate() {
+            if let Some(texture) = &channel.texture {
+                let view = match texture {
+                    BoundTexture::Fixed(view) => view,
+                    BoundTexture::Buffer(letter, filter) => buffer(*letter, *filter),
+                };
+                let resource = wgpu::BindingResource::TextureView(view);
+                bind(bindings::texture(index), resource);
+            }
+            if let Some(sampler) = &channel.sampler {
+                let resource = wgpu::BindingResource::Sampler(sampler);
+                bind(bindings::sampler(index), resource);
+            }
+        }
+        gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: self.group_layout.as_ref().expect("something is bound"),
+            entries: &entries,
         })
     }
 
@@ -130,25 +181,39 @@ impl GpuPass {
         self.findings.as_ref()
     }
 
-    /// Records the drawing of one frame.
+    /// The buffer that the pass draws, if it draws one.
+    pub fn draws(&self) -> Option<BufferLetter> {
+        match self.kind {
+            PassKind::Buffer(letter) => Some(letter),
+            _ => None,
+        }
+    }
+
+    /// The buffers that the pass reads, and how.
+    pub fn reads(&self) -> impl Iterator<Item = (BufferLetter, Filter)> {
+        self.channels
+            .iter()
+            .filter_map(|channel| match channel.texture {
+                Some(BoundTexture::Buffer(letter, filter)) => Some((letter, filter)),
+                _ => None,
+            })
+    }
+
+    /// Records the drawing of a band of one frame. `group` is bound if it is not the same in every frame.
     pub fn draw(
         &self,
         gpu: &Gpu,
         input: &FrameInput,
         encoder: &mut wgpu::CommandEncoder,
-        target: &Target,
+        view: &wgpu::TextureView,
+        group: Option<&wgpu::BindGroup>,
         band: Band<'_>,
     ) {
         if let Some(uniforms) = &self.uniforms {
             uniforms.upload(gpu, input);
         }
-        full_screen_pass(
-            encoder,
-            target.view(),
-            &self.pipeline,
-            self.bind_group.as_ref(),
-            Some((target.size().x, band)),
-        );
+        let group = group.or(self.bind_group.as_ref());
+        full_screen_pass(encoder, view, &self.pipeline, group, Some(band));
     }
 }
 
@@ -247,23 +312,25 @@ pub(super) fn full_screen_pipeline(
 /// Some rows of a picture, counted from the bottom.
 #[derive(Clone, Debug)]
 pub(super) struct Band<'t> {
+    pub width: u32,
     pub rows: Range<u32>,
+    /// Whether what was there before stays where nothing is drawn: a buffer shows it there, a picture black.
+    pub keeps: bool,
     pub timestamps: Option<wgpu::RenderPassTimestampWrites<'t>>,
 }
 
-/// Records one draw over the whole of `view`, or over a band of it and the width. With its first row everything
-/// is cleared to opaque black: what a shader discards shows black.
+/// Records one draw over the whole of `view`, or over a band of it.
 pub(super) fn full_screen_pass(
     encoder: &mut wgpu::CommandEncoder,
     view: &wgpu::TextureView,
     pipeline: &wgpu::RenderPipeline,
     bind_group: Option<&wgpu::BindGroup>,
-    band: Option<(u32, Band<'_>)>,
+    band: Option<Band<'_>>,
 ) {
-    let begins = band.as_ref().is_none_or(|(_, band)| band.rows.start == 0);
-    let rows = band
+    let is_cleared = band
         .as_ref()
-        .map(|(width, band)| (*width, band.rows.clone()));
+        .is_none_or(|band| band.rows.start == 0 && !band.keeps);
+    let rows = band.as_ref().map(|band| (band.width, band.rows.clone()));
     let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: None,
         color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -271,14 +338,14 @@ pub(super) fn full_screen_pass(
             depth_slice: None,
             resolve_target: None,
             ops: wgpu::Operations {
-                load: match begins {
+                load: match is_cleared {
                     true => wgpu::LoadOp::Clear(wgpu::Color::BLACK),
                     false => wgpu::LoadOp::Load,
                 },
                 store: wgpu::StoreOp::Store,
             },
         })],
-        timestamp_writes: band.and_then(|(_, band)| band.timestamps),
+        timestamp_writes: band.and_then(|band| band.timestamps),
         ..Default::default()
     });
     pass.set_pipeline(pipeline);
@@ -358,7 +425,8 @@ fn layout(program: &Program) -> PassLayout {
 struct Uniforms {
     buffer: wgpu::Buffer,
     block: UniformBlock,
-    channel_resolution: [Vec3; CHANNELS],
+    /// `None` is the picture's size.
+    channel_resolution: [Option<Vec3>; CHANNELS],
 }
 
 impl Uniforms {
@@ -413,7 +481,8 @@ impl Uniforms {
                 Uniform::ChannelTime => {}
                 Uniform::ChannelResolution => {
                     for (channel, size) in self.channel_resolution.iter().enumerate() {
-                        put(channel * ARRAY_STRIDE, bytemuck::bytes_of(size));
+                        let size = size.unwrap_or(input.resolution.as_vec2().extend(1.0));
+                        put(channel * ARRAY_STRIDE, bytemuck::bytes_of(&size));
                     }
                 }
             }

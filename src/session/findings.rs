@@ -1,8 +1,9 @@
 //! What goes wrong while frames are drawn: gathered over frames, and looked at again for the operands.
 
 use super::Session;
+use super::floats::frames_before;
 use crate::frame::FrameInput;
-use crate::render::{Extras, Gpu, GpuError, Pace, ReadBack, Renderer, Target};
+use crate::render::{Extras, Gpu, GpuError, Pace, ReadBack, Renderer};
 use crate::source::{Diagnostic, Report};
 use crate::translate::{self, Checks, Finding, OPERAND_WORDS, Program};
 
@@ -162,7 +163,7 @@ impl Findings {
             let known = match known {
                 Some(known) => known,
                 None => {
-                    let words = words(gpu, &renderer, session, &found.input)?;
+                    let words = words(gpu, &renderer, &found.input)?;
                     drawn.push((found.input, words));
                     drawn.len() - 1
                 }
@@ -193,21 +194,19 @@ impl Findings {
 }
 
 /// Draws a frame for the words that it notes.
-fn words(
-    gpu: &Gpu,
-    renderer: &Renderer,
-    session: &Session,
-    input: &FrameInput,
-) -> Result<Vec<u32>, GpuError> {
-    let target = Target::new(gpu, input.resolution, session.format)?;
+fn words(gpu: &Gpu, renderer: &Renderer, input: &FrameInput) -> Result<Vec<u32>, GpuError> {
+    let mut canvas = renderer.canvas(gpu, input.resolution)?;
     let extras = Extras {
         finding_words: renderer.finding_words(),
         ..Extras::default()
     };
-    let mut ring = ReadBack::new(gpu, &target, 1, extras)?;
+    let mut ring = ReadBack::new(gpu, &canvas.target, 1, extras)?;
     let slot = &mut ring.slots[0];
     let mut pace = Pace::new(gpu, input.resolution);
-    renderer.render_in_bands(gpu, input, &target, Some(slot), &mut pace, &mut || true)?;
+    for before in frames_before(input, renderer.feeds_back()) {
+        renderer.render_in_bands(gpu, &before, &mut canvas, None, &mut pace, &mut || true)?;
+    }
+    renderer.render_in_bands(gpu, input, &mut canvas, Some(slot), &mut pace, &mut || true)?;
     while !slot.is_ready(gpu)? {}
     slot.take_findings(gpu)
 }

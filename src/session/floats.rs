@@ -4,9 +4,12 @@ use glam::UVec2;
 
 use super::{OpenError, Session};
 use crate::frame::{FloatImage, FrameInput};
-use crate::render::{Extras, Format, Gpu, GpuError, Pace, ReadBack, Slot, Target};
+use crate::render::{Canvas, Extras, Format, Gpu, GpuError, Pace, ReadBack, Slot};
 use crate::scene::Source;
 use crate::translate;
+
+/// The most frames that are drawn before one, of a scene whose buffers remember them.
+const MOST_BEFORE: i32 = 600;
 
 /// One way to draw a scene, into floats: with some macros, in some precision, giving its colour or a
 /// value from within.
@@ -14,8 +17,10 @@ use crate::translate;
 pub struct Subject {
     /// The scene.
     pub session: Session,
-    target: Target,
+    canvas: Canvas,
     slot: Slot,
+    /// `iFrame` of what was drawn last.
+    last: Option<i32>,
     /// How it is drawn in bands, if it is.
     pace: Option<Pace>,
 }
@@ -40,24 +45,25 @@ impl Subject {
         size: UVec2,
     ) -> Result<Self, OpenError> {
         let session = Session::open_for(gpu, source, options, Format::Floats)?;
-        let target = Target::new(gpu, size, Format::Floats)?;
+        let canvas = session.renderer.canvas(gpu, size)?;
         let extras = Extras {
             times: true,
             finding_words: session.renderer.finding_words(),
         };
-        let mut ring = ReadBack::new(gpu, &target, 1, extras)?;
+        let mut ring = ReadBack::new(gpu, &canvas.target, 1, extras)?;
         let slot = ring.slots.pop().expect("one slot was asked for");
         Ok(Subject {
             session,
-            target,
+            canvas,
             slot,
+            last: None,
             pace: None,
         })
     }
 
     /// From now on draws in bands, so that the device is never busy for long.
     pub fn draw_in_bands(&mut self, gpu: &Gpu) {
-        self.pace = Some(Pace::new(gpu, self.target.size()));
+        self.pace = Some(Pace::new(gpu, self.canvas.target.size()));
     }
 
     /// How many components of its pixels mean something.
@@ -73,18 +79,15 @@ impl Subject {
         input: &FrameInput,
         waiting: &mut dyn FnMut(),
     ) -> Result<Drawn, GpuError> {
-        let renderer = &self.session.renderer;
-        let slot = Some(&mut self.slot);
-        match &mut self.pace {
-            None => renderer.render(gpu, input, &self.target, slot),
-            Some(pace) => {
-                let mut between = || {
-                    waiting();
-                    true
-                };
-                renderer.render_in_bands(gpu, input, &self.target, slot, pace, &mut between)?;
-            }
+        let is_next = self
+            .last
+            .is_some_and(|last| last.checked_add(1) == Some(input.frame));
+        let feeds_back = self.session.renderer.feeds_back() && !is_next;
+        for before in frames_before(input, feeds_back) {
+            self.hand_over(gpu, &before, false, waiting)?;
         }
+        self.last = Some(input.frame);
+        self.hand_over(gpu, input, true, waiting)?;
         while !self.slot.is_ready(gpu)? {
             waiting();
         }
@@ -96,4 +99,49 @@ impl Subject {
             findings: transferred.findings,
         })
     }
+
+    /// Hands a frame to the device; one that is not wanted itself is waited for.
+    fn hand_over(
+        &mut self,
+        gpu: &Gpu,
+        input: &FrameInput,
+        is_wanted: bool,
+        waiting: &mut dyn FnMut(),
+    ) -> Result<(), GpuError> {
+        let renderer = &self.session.renderer;
+        let (canvas, slot) = (&mut self.canvas, is_wanted.then_some(&mut self.slot));
+        match &mut self.pace {
+            None => renderer.render(gpu, input, canvas, slot),
+            Some(pace) => {
+                let mut between = || {
+                    waiting();
+                    true
+                };
+                renderer.render_in_bands(gpu, input, canvas, slot, pace, &mut between)?;
+            }
+        }
+        match is_wanted {
+            true => Ok(()),
+            false => gpu.wait(),
+        }
+    }
+}
+
+/// The frames to draw from a clear beginning on before one that depends on them: as many as there were, but
+/// not too many.
+pub(super) fn frames_before(input: &FrameInput, feeds_back: bool) -> Vec<FrameInput> {
+    let step = match input.time_delta {
+        delta if delta > 0.0 => delta,
+        _ => 1.0 / 60.0,
+    };
+    let count = match feeds_back {
+        true => input.frame.clamp(0, MOST_BEFORE),
+        false => 0,
+    };
+    let frame = |frame: i32| FrameInput {
+        frame,
+        time: input.time - step * (count - frame) as f32,
+        ..*input
+    };
+    (0..count).map(frame).collect()
 }

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use crate::render::{Format, Gpu, GpuError, Renderer};
-use crate::scene::{self, Input, LoadError, LoadErrorKind, PassKind, Scene, Source};
+use crate::scene::{self, Input, LoadError, LoadErrorKind, Pass, PassKind, Scene, Source};
 use crate::source::{Diagnostic, Report, Span};
 use crate::translate::{self, Arithmetic, Checks, Program};
 
@@ -112,11 +112,12 @@ impl Session {
         format: Format,
     ) -> Result<Self, OpenError> {
         let start = Instant::now();
-        let scene = scene::load(source)?;
+        let mut scene = scene::load(source)?;
         let loaded = Instant::now();
+        let read = scene.read.clone();
         let in_scene = |report| OpenError::Scene {
             report,
-            read: scene.read.clone(),
+            read: read.clone(),
         };
         require_drawable(&scene).map_err(in_scene)?;
         // What is drawn shall look as it does in a browser.
@@ -132,7 +133,9 @@ impl Session {
             },
             ..options.clone()
         };
-        let programs = translate::translate(&scene, &options).map_err(in_scene)?;
+        let mut programs = translate::translate(&scene, &options).map_err(in_scene)?;
+        let diagnostics = warnings(&scene, &programs);
+        leave_out(&mut scene, &mut programs);
         let translated = Instant::now();
         let renderer = Renderer::new(gpu, &scene, &programs, format)?;
         let timing = Timing {
@@ -142,7 +145,7 @@ impl Session {
         };
         let warnings = Report {
             files: scene.files.clone(),
-            diagnostics: warnings(&scene, &programs),
+            diagnostics,
         };
         Ok(Session {
             scene,
@@ -169,8 +172,7 @@ fn warnings(scene: &Scene, programs: &[Program]) -> Vec<Diagnostic> {
     scene.warnings.iter().chain(of_programs).cloned().collect()
 }
 
-/// Refuses a scene that needs what the renderer cannot do yet: passes beside the Image pass, and
-/// inputs other than the generated noise.
+/// Refuses a scene that needs what the renderer cannot do yet.
 pub fn require_drawable(scene: &Scene) -> Result<(), Report> {
     let mut diagnostics = Vec::new();
     for pass in &scene.passes {
@@ -190,13 +192,13 @@ pub fn require_drawable(scene: &Scene) -> Result<(), Report> {
                     .hint("`vitrine check` and `vitrine translate` know all passes and inputs")
             });
         };
-        if pass.kind != PassKind::Image {
+        if !matches!(pass.kind, PassKind::Image | PassKind::Buffer(_)) {
             refuse(format!("the pass {name}"));
             continue;
         }
         for (index, channel) in pass.channels.iter().enumerate() {
             match channel.as_ref().map(|channel| &channel.input) {
-                None | Some(Input::Noise) => {}
+                None | Some(Input::Noise | Input::Buffer(_)) => {}
                 Some(input) => refuse(format!("what iChannel{index} reads, {},", input.name())),
             }
         }
@@ -208,4 +210,44 @@ pub fn require_drawable(scene: &Scene) -> Result<(), Report> {
         files: scene.files.clone(),
         diagnostics,
     })
+}
+
+/// Leaves out the passes that the picture needs nothing of.
+fn leave_out(scene: &mut Scene, programs: &mut Vec<Program>) {
+    let mut needed: Vec<bool> = scene
+        .passes
+        .iter()
+        .map(|pass| pass.kind == PassKind::Image)
+        .collect();
+    loop {
+        let mut found = needed.clone();
+        for (place, pass) in scene
+            .passes
+            .iter()
+            .enumerate()
+            .filter(|(place, _)| needed[*place])
+        {
+            for (channel, usage) in pass.channels.iter().zip(&programs[place].channels) {
+                let Some(Input::Buffer(letter)) = channel.as_ref().map(|channel| &channel.input)
+                else {
+                    continue;
+                };
+                let is_read =
+                    |other: &Pass| usage.texture && other.kind == PassKind::Buffer(*letter);
+                for (found, other) in found.iter_mut().zip(&scene.passes) {
+                    *found |= is_read(other);
+                }
+            }
+        }
+        if found == needed {
+            break;
+        }
+        needed = found;
+    }
+    let mut keep = needed.iter();
+    scene
+        .passes
+        .retain(|_| *keep.next().expect("one for each pass"));
+    let mut keep = needed.iter();
+    programs.retain(|_| *keep.next().expect("one for each pass"));
 }

@@ -28,7 +28,7 @@ pub use program::{ChannelUse, Functions, Guards, Program, Tables, UniformBlock};
 use text::translate_text;
 pub use write::{Language, write};
 
-use crate::scene::{Pass, Scene};
+use crate::scene::{Pass, PassKind, Scene};
 use crate::source::{Diagnostic, Report, Span};
 
 /// How to translate.
@@ -61,7 +61,15 @@ pub fn translate(scene: &Scene, options: &Options) -> Result<Vec<Program>, Repor
     let mut programs = Vec::new();
     let mut diagnostics = Vec::new();
     for pass in &scene.passes {
-        match translate_pass(scene, pass, options) {
+        // What is asked for instead of the colour concerns the picture.
+        let own = Options {
+            output: match pass.kind {
+                PassKind::Image => options.output.clone(),
+                _ => Output::Colour,
+            },
+            ..options.clone()
+        };
+        match translate_pass(scene, pass, &own) {
             Ok(program) => programs.push(program),
             Err(found) => diagnostics.extend(found),
         }

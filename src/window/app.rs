@@ -136,7 +136,7 @@ impl App {
             self.watchdog.go_on();
             stage.draw_band(&self.wakes)?;
         } else if stage.wants_frame(&self.clock, now) {
-            let mut input = self.clock.tick(stage.target.size());
+            let mut input = self.clock.tick(stage.size());
             input.mouse = self.mouse.frame_value();
             self.mouse.frame_drawn();
             self.watchdog.begin();
@@ -287,7 +287,12 @@ impl App {
     fn save(&self) {
         let Some(stage) = &self.stage else { return };
         let time = stage.shown.map_or(0.0, |input| input.time);
-        match picture::save(&stage.gpu, &stage.target, &stage.session.scene.name, time) {
+        match picture::save(
+            &stage.gpu,
+            &stage.canvas.target,
+            &stage.session.scene.name,
+            time,
+        ) {
             Ok(path) => report::tell(format_args!("saved {}", path.display())),
             Err(error) => report::tell(format_args!("not saved: {error}")),
         }

@@ -5,8 +5,10 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
+use glam::UVec2;
+
 use crate::frame::FrameInput;
-use crate::render::{Gpu, Pace, Slot, Target};
+use crate::render::{Canvas, Cursor, Gpu, Pace, Slot};
 use crate::session::Session;
 
 /// A frame that is drawn at once and takes longer is one too many.
@@ -15,8 +17,8 @@ const SLOW: Duration = Duration::from_millis(500);
 /// The frames of one session in one size.
 pub(super) struct Drawing {
     pace: Pace,
-    /// The frame of which not all bands have been handed over, and its next row.
-    begun: Option<(FrameInput, u32)>,
+    /// The frame of which not all bands have been handed over, and where it goes on.
+    begun: Option<(FrameInput, Cursor)>,
     /// What has been handed over and is not done.
     under_way: Arc<AtomicU32>,
     /// How many rows the latest band to be done had, and how long they took.
@@ -24,14 +26,14 @@ pub(super) struct Drawing {
 }
 
 impl Drawing {
-    pub fn new(gpu: &Gpu, session: &Session, target: &Target) -> Self {
+    pub fn new(gpu: &Gpu, session: &Session, size: UVec2) -> Self {
         let mut guards = session.programs.iter().map(|program| &program.guards);
         let may_be_endless = guards.any(|guards| !guards.loops.is_empty());
         Drawing {
             pace: match may_be_endless {
-                true => Pace::new(gpu, target.size()),
+                true => Pace::new(gpu, size),
                 // The first frame comes sooner so.
-                false => Pace::whole(gpu, target.size()),
+                false => Pace::whole(gpu, size),
             },
             begun: None,
             under_way: Arc::default(),
@@ -39,11 +41,11 @@ impl Drawing {
         }
     }
 
-    /// Begins anew with another session or target; what is under way stays so.
-    pub fn renew(&mut self, gpu: &Gpu, session: &Session, target: &Target) {
+    /// Begins anew with another session or size; what is under way stays so.
+    pub fn renew(&mut self, gpu: &Gpu, session: &Session, size: UVec2) {
         *self = Drawing {
             under_way: Arc::clone(&self.under_way),
-            ..Drawing::new(gpu, session, target)
+            ..Drawing::new(gpu, session, size)
         };
     }
 
@@ -64,7 +66,7 @@ impl Drawing {
 
     /// Begins with a frame.
     pub fn begin(&mut self, input: &FrameInput) {
-        self.begun = Some((*input, 0));
+        self.begun = Some((*input, Cursor::default()));
     }
 
     /// Hands over the next band of the frame that was begun. With the last one goes the slot that `slot` gives,
@@ -73,34 +75,39 @@ impl Drawing {
         &mut self,
         gpu: &Gpu,
         session: &Session,
-        target: &Target,
+        canvas: &mut Canvas,
         slot: impl FnOnce(&FrameInput) -> Option<&'s mut Slot>,
         done: impl FnOnce() + Send + 'static,
     ) -> Option<FrameInput> {
         let (input, from) = self.begun.take()?;
         self.learn();
-        let height = target.size().y;
-        let to = height.min(from + self.pace.rows());
-        let is_last = to == height;
-        let slot = if is_last { slot(&input) } else { None };
         let renderer = &session.renderer;
+        let rows = renderer.rows_from(canvas, from, self.pace.rows());
+        let is_whole = self.pace.is_whole() && from == Cursor::default();
+        let slot = match is_whole || renderer.is_last_band(canvas, from, rows) {
+            true => slot(&input),
+            false => None,
+        };
         let began = Instant::now();
-        renderer.render_rows(gpu, &input, target, from..to, slot);
+        let next = if is_whole {
+            renderer.render(gpu, &input, canvas, slot);
+            None
+        } else {
+            let band = renderer.render_band(gpu, &input, canvas, from, rows, slot);
+            band.1
+        };
         self.under_way.fetch_add(1, Ordering::Relaxed);
         let (under_way, took) = (Arc::clone(&self.under_way), Arc::clone(&self.took));
+        let is_last = next.is_none();
         gpu.on_done(move || {
-            *took.lock().unwrap_or_else(PoisonError::into_inner) =
-                Some((to - from, began.elapsed()));
+            *took.lock().unwrap_or_else(PoisonError::into_inner) = Some((rows, began.elapsed()));
             under_way.fetch_sub(1, Ordering::Relaxed);
             if is_last {
                 done();
             }
         });
-        if is_last {
-            return Some(input);
-        }
-        self.begun = Some((input, to));
-        None
+        self.begun = next.map(|next| (input, next));
+        is_last.then_some(input)
     }
 
     fn learn(&mut self) {

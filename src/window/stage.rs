@@ -11,7 +11,7 @@ use super::findings::Gatherer;
 use super::title::Title;
 use super::{Options, PlayError, Reload, Wake, input};
 use crate::frame::{Clock, FrameInput};
-use crate::render::{Format, Gpu, Presented, Presenter, Target};
+use crate::render::{Canvas, Gpu, Presented, Presenter};
 use crate::session::Session;
 
 /// Frames handed to a GPU before waiting for the oldest.
@@ -31,7 +31,7 @@ const TITLE_EVERY: Duration = Duration::from_millis(250);
 pub(super) struct Stage {
     pub window: Arc<Window>,
     pub gpu: Arc<Gpu>,
-    pub target: Target,
+    pub canvas: Canvas,
     pub session: Arc<Session>,
     /// The latest frame that was drawn.
     pub shown: Option<FrameInput>,
@@ -72,19 +72,16 @@ impl Stage {
             Arc::clone(&window),
             size_of(&window),
         )?;
-        let target = Target::new(
-            &gpu,
-            picture_size(&gpu, &window, options.scale),
-            Format::Bytes,
-        )?;
         let session =
             Session::open(&gpu, &options.source, &options.translate).map_err(PlayError::Open)?;
+        let size = picture_size(&gpu, &window, options.scale);
+        let canvas = session.renderer.canvas(&gpu, size)?;
         Ok(Stage {
-            drawing: Drawing::new(&gpu, &session, &target),
+            drawing: Drawing::new(&gpu, &session, size),
             gatherer: Gatherer::new(&gpu, &session)?,
             window,
             gpu: Arc::new(gpu),
-            target,
+            canvas,
             session: Arc::new(session),
             shown: None,
             stale: true,
@@ -98,6 +95,11 @@ impl Stage {
             problem: None,
             titled: None,
         })
+    }
+
+    /// Width and height of the picture in pixels.
+    pub fn size(&self) -> UVec2 {
+        self.canvas.target.size()
     }
 
     /// Another scene is being opened, or has been.
@@ -187,7 +189,7 @@ impl Stage {
             }
         };
         let drawing = &mut self.drawing;
-        let drawn = drawing.go_on(&self.gpu, &self.session, &self.target, slot, done);
+        let drawn = drawing.go_on(&self.gpu, &self.session, &mut self.canvas, slot, done);
         let Some(input) = drawn else {
             return Ok(());
         };
@@ -214,7 +216,7 @@ impl Stage {
             return Ok(());
         }
         self.window.pre_present_notify();
-        match self.presenter.present(&self.gpu, &self.target)? {
+        match self.presenter.present(&self.gpu, &self.canvas.target)? {
             Presented::Shown => self.unpresented = false,
             Presented::Skipped => self.present_after = Instant::now() + AFTER_SKIP,
         }
@@ -225,7 +227,11 @@ impl Stage {
     /// The next frame is this scene's.
     pub fn replace(&mut self, session: Session, reload: Option<Reload>) -> Result<(), PlayError> {
         self.gatherer = Gatherer::new(&self.gpu, &session)?;
-        self.drawing.renew(&self.gpu, &session, &self.target);
+        let size = self.size();
+        // As on the site, buffers keep what they hold when a text is compiled anew.
+        self.canvas = session.renderer.resized(&self.gpu, &self.canvas, size)?;
+        self.unpresented = false;
+        self.drawing.renew(&self.gpu, &session, size);
         self.session = Arc::new(session);
         self.fresh = reload;
         self.problem = None;
@@ -249,9 +255,10 @@ impl Stage {
         }
         self.presenter.resize(&self.gpu, size);
         let picture = picture_size(&self.gpu, &self.window, self.options.scale);
-        if picture != self.target.size() {
-            self.target = Target::new(&self.gpu, picture, Format::Bytes)?;
-            self.drawing.renew(&self.gpu, &self.session, &self.target);
+        if picture != self.size() {
+            let renderer = &self.session.renderer;
+            self.canvas = renderer.resized(&self.gpu, &self.canvas, picture)?;
+            self.drawing.renew(&self.gpu, &self.session, picture);
             // The new one holds nothing yet.
             self.unpresented = false;
         }
@@ -268,7 +275,7 @@ impl Stage {
 
     /// The picture's pixel under a point of the window.
     pub fn pixel_under(&self, point: DVec2) -> IVec2 {
-        input::pixel_under(point, size_of(&self.window), self.target.size())
+        input::pixel_under(point, size_of(&self.window), self.size())
     }
 
     /// Renews the title bar if what it says may have changed.
@@ -281,7 +288,7 @@ impl Stage {
             name: &self.session.scene.name,
             fps: self.shown.map_or(0.0, |input| input.frame_rate),
             time: self.shown.map_or(0.0, |input| input.time),
-            resolution: self.target.size(),
+            resolution: self.size(),
             paused: clock.is_paused(),
             problem: self.problem.as_deref(),
         };

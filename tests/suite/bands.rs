@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use glam::UVec2;
 use vitrine::frame::{Clock, FrameImage};
-use vitrine::render::{Extras, Format, Gpu, Pace, ReadBack, Target};
+use vitrine::render::{Extras, Gpu, Pace, ReadBack};
 use vitrine::session::Session;
 use vitrine::translate::{Checks, Options};
 
@@ -20,25 +20,31 @@ const TEXT: &str = "void mainImage(out vec4 c, in vec2 p) {
 
 /// A frame, and what it found.
 fn drawn(gpu: &Gpu, session: &Session, size: UVec2, pace: Option<Pace>) -> (FrameImage, Vec<u32>) {
-    let target = Target::new(gpu, size, Format::Bytes).expect("a target");
+    let mut canvas = session.renderer.canvas(gpu, size).expect("a canvas");
     let extras = Extras {
         times: true,
         finding_words: session.renderer.finding_words(),
     };
-    let mut ring = ReadBack::new(gpu, &target, 1, extras).expect("a slot");
+    let mut ring = ReadBack::new(gpu, &canvas.target, 1, extras).expect("a slot");
     let slot = &mut ring.slots[0];
     let input = Clock::fixed(60.0).at_time(1.0, size);
     let renderer = &session.renderer;
     match pace {
-        None => renderer.render(gpu, &input, &target, Some(slot)),
+        None => renderer.render(gpu, &input, &mut canvas, Some(slot)),
         Some(mut pace) => {
             let mut bands = 0;
             let mut between = || {
                 bands += 1;
                 true
             };
-            let is_drawn =
-                renderer.render_in_bands(gpu, &input, &target, Some(slot), &mut pace, &mut between);
+            let is_drawn = renderer.render_in_bands(
+                gpu,
+                &input,
+                &mut canvas,
+                Some(slot),
+                &mut pace,
+                &mut between,
+            );
             assert!(is_drawn.expect("the device works"));
             assert!(bands > 0, "there is one band only");
         }

@@ -166,13 +166,24 @@ fn what_cannot_be_drawn_yet_is_refused_and_named() {
     if crate::support::gpu().is_none() {
         return;
     }
-    let folder = Folder::with("rings.json", rings());
+    let inputs = json!([{ "id": "4dXGRr", "type": "keyboard", "channel": 1 }]);
+    let code = "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel1, ivec2(p), 0); }";
+    let text = export(&[
+        pass(
+            "cubemap",
+            "4dX3Rr",
+            "void mainCubemap(out vec4 c, in vec2 p, in vec3 o, in vec3 d) { c = vec4(d, 1); }",
+            json!([]),
+        ),
+        pass("image", "4dfGRr", code, inputs),
+    ]);
+    let folder = Folder::with("keys.json", text);
     folder
-        .run("export rings.json --out a.png --size 8x8")
+        .run("export keys.json --out a.png --size 8x8")
         .exits(1)
-        .says("error[not-drawable-yet]: the pass Buffer A cannot be drawn yet")
-        .says("error[not-drawable-yet]: what iChannel1 reads, Buffer A, cannot be drawn yet");
-    assert_eq!(folder.files(), ["rings.json"]);
+        .says("error[not-drawable-yet]: the pass Cube A cannot be drawn yet")
+        .says("error[not-drawable-yet]: what iChannel1 reads, keyboard, cannot be drawn yet");
+    assert_eq!(folder.files(), ["keys.json"]);
 }
 
 #[cfg(feature = "gpu")]

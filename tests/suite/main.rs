@@ -29,6 +29,8 @@ mod bad_output;
 #[cfg(feature = "gpu")]
 mod bands;
 #[cfg(feature = "gpu")]
+mod buffers;
+#[cfg(feature = "gpu")]
 mod channels;
 #[cfg(feature = "gpu")]
 mod clock;

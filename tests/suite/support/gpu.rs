@@ -2,7 +2,7 @@ use std::sync::OnceLock;
 
 use glam::UVec2;
 use vitrine::frame::{Clock, FrameImage, FrameInput};
-use vitrine::render::{AdapterChoice, Extras, Format, Gpu, GpuError, ReadBack, Renderer, Target};
+use vitrine::render::{AdapterChoice, Extras, Gpu, GpuError, ReadBack, Renderer};
 use vitrine::scene::Source;
 use vitrine::session::{OpenError, Session};
 use vitrine::translate::Options;
@@ -47,10 +47,10 @@ pub fn draw_with(
     renderer: &Renderer,
     input: &FrameInput,
 ) -> Result<FrameImage, GpuError> {
-    let target = Target::new(gpu, input.resolution, Format::Bytes)?;
-    let ring = ReadBack::new(gpu, &target, 1, Extras::default())?;
+    let mut canvas = renderer.canvas(gpu, input.resolution)?;
+    let ring = ReadBack::new(gpu, &canvas.target, 1, Extras::default())?;
     let mut slot = ring.slots.into_iter().next().expect("one slot");
-    renderer.render(gpu, input, &target, Some(&mut slot));
+    renderer.render(gpu, input, &mut canvas, Some(&mut slot));
     while !slot.is_ready(gpu)? {}
     let mut image = FrameImage::default();
     slot.take(gpu, &mut image)?;
