@@ -1,5 +1,6 @@
 //! A folder: `scene.toml` names the texts and what is bound to the channels. Without one,
-//! `image.glsl` is the Image pass and `common.glsl`, if present, its Common.
+//! `image.glsl` is the Image pass, `buffer_a.glsl` to `buffer_d.glsl` are buffers and `common.glsl`, if
+//! present, is the Common of all.
 
 use std::path::{Component, Path, PathBuf};
 
@@ -7,7 +8,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::load::{Failure, Loading, Parts};
-use super::{CHANNELS, Channel, Filter, Input, Pass, PassKind, Sampling, Wrap, file};
+use super::{BufferLetter, CHANNELS, Channel, Filter, Input, Pass, PassKind, Sampling, Wrap, file};
 use crate::source::{Diagnostic, FileId, Span};
 
 const MANIFEST: &str = "scene.toml";
@@ -24,12 +25,18 @@ struct Manifest {
     _description: Option<String>,
     #[serde(default)]
     common: Vec<Spanned<String>>,
-    image: ImageEntry,
+    /// In which order the buffers are drawn, if it is not that of the alphabet.
+    order: Option<Spanned<Vec<Letter>>>,
+    buffer_a: Option<PassEntry>,
+    buffer_b: Option<PassEntry>,
+    buffer_c: Option<PassEntry>,
+    buffer_d: Option<PassEntry>,
+    image: PassEntry,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct ImageEntry {
+struct PassEntry {
     source: Spanned<String>,
     #[serde(rename = "iChannel0")]
     channel0: Option<ChannelEntry>,
@@ -41,7 +48,7 @@ struct ImageEntry {
     channel3: Option<ChannelEntry>,
 }
 
-impl ImageEntry {
+impl PassEntry {
     fn channels(&self) -> [Option<Channel>; CHANNELS] {
         [
             &self.channel0,
@@ -53,15 +60,22 @@ impl ImageEntry {
     }
 }
 
-/// Filter and wrap default to what the site gives a new texture.
+/// A channel is bound to one thing. Filter and wrap default to what the site gives a new input of its kind.
+#[derive(Deserialize)]
+#[serde(try_from = "ChannelKeys")]
+struct ChannelEntry {
+    input: Input,
+    filter: Option<Filter>,
+    wrap: Option<Wrap>,
+}
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct ChannelEntry {
-    procedural: Procedural,
-    #[serde(default = "mipmap")]
-    filter: Filter,
-    #[serde(default = "repeat")]
-    wrap: Wrap,
+struct ChannelKeys {
+    procedural: Option<Procedural>,
+    buffer: Option<Letter>,
+    filter: Option<Filter>,
+    wrap: Option<Wrap>,
 }
 
 #[derive(Deserialize)]
@@ -70,26 +84,66 @@ enum Procedural {
     Noise,
 }
 
-fn mipmap() -> Filter {
-    Filter::Mipmap
+/// A buffer, as a manifest spells it.
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+enum Letter {
+    A,
+    B,
+    C,
+    D,
 }
 
-fn repeat() -> Wrap {
-    Wrap::Repeat
+impl Letter {
+    fn buffer(self) -> BufferLetter {
+        BufferLetter::ALL[self as usize]
+    }
+}
+
+impl TryFrom<ChannelKeys> for ChannelEntry {
+    type Error = &'static str;
+
+    fn try_from(keys: ChannelKeys) -> Result<Self, Self::Error> {
+        let input = match (keys.procedural, keys.buffer) {
+            (Some(Procedural::Noise), None) => Input::Noise,
+            (None, Some(letter)) => Input::Buffer(letter.buffer()),
+            _ => {
+                return Err(
+                    "a channel is bound to one thing: `procedural = \"noise\"`, or a buffer as in `buffer = \"A\"`",
+                );
+            }
+        };
+        Ok(ChannelEntry {
+            input,
+            filter: keys.filter,
+            wrap: keys.wrap,
+        })
+    }
 }
 
 impl ChannelEntry {
     fn channel(&self) -> Channel {
+        let usual = usual_sampling(&self.input);
         Channel {
-            input: match self.procedural {
-                Procedural::Noise => Input::Noise,
-            },
+            input: self.input.clone(),
             sampling: Sampling {
-                filter: self.filter,
-                wrap: self.wrap,
+                filter: self.filter.unwrap_or(usual.filter),
+                wrap: self.wrap.unwrap_or(usual.wrap),
                 vflip: true,
             },
         }
+    }
+}
+
+/// How the site reads a new input of this kind.
+fn usual_sampling(input: &Input) -> Sampling {
+    let (filter, wrap) = match input {
+        Input::Buffer(_) => (Filter::Linear, Wrap::Clamp),
+        _ => (Filter::Mipmap, Wrap::Repeat),
+    };
+    Sampling {
+        filter,
+        wrap,
+        vflip: true,
     }
 }
 
@@ -115,15 +169,48 @@ pub(super) fn load(loading: &mut Loading, folder: &Path) -> Result<Parts, Failur
         .hint("a scene folder has a `scene.toml`, or an `image.glsl` (and perhaps a `common.glsl`)")
         .into());
     }
-    let common = folder.join("common.glsl");
-    let mut sources = Vec::new();
-    if loading.is_file(&common) {
-        sources.push(loading.read(&common)?);
-    } else {
-        loading.depends_on(&common);
+    let common = optional(loading, folder, "common.glsl")?;
+    let mut passes = Vec::new();
+    for letter in BufferLetter::ALL {
+        if let Some(own) = optional(loading, folder, buffer_file(letter))? {
+            passes.push((PassKind::Buffer(letter), own));
+        }
     }
-    sources.push(loading.read(&image)?);
-    image_scene(loading, folder_name, sources, Default::default())
+    // Without a manifest, each pass reads Buffer A through iChannel0, Buffer B through iChannel1 and so on.
+    let mut channels = [const { None }; CHANNELS];
+    for (kind, _) in &passes {
+        if let PassKind::Buffer(letter) = *kind {
+            let input = Input::Buffer(letter);
+            let sampling = usual_sampling(&input);
+            channels[letter.index()] = Some(Channel { input, sampling });
+        }
+    }
+    passes.push((PassKind::Image, loading.read(&image)?));
+    let passes = passes.into_iter().map(|(kind, own)| Pass {
+        kind,
+        sources: common.into_iter().chain([own]).collect(),
+        channels: channels.clone(),
+    });
+    scene(loading, folder_name, passes.collect())
+}
+
+/// Reads a file that a scene may have.
+fn optional(loading: &mut Loading, folder: &Path, name: &str) -> Result<Option<FileId>, Failure> {
+    let path = folder.join(name);
+    if loading.is_file(&path) {
+        return Ok(Some(loading.read(&path)?));
+    }
+    loading.depends_on(&path);
+    Ok(None)
+}
+
+fn buffer_file(letter: BufferLetter) -> &'static str {
+    [
+        "buffer_a.glsl",
+        "buffer_b.glsl",
+        "buffer_c.glsl",
+        "buffer_d.glsl",
+    ][letter.index()]
 }
 
 fn from_manifest(
@@ -143,17 +230,65 @@ fn from_manifest(
                 .into());
         }
     };
-    let mut sources = Vec::new();
-    for entry in manifest.common.iter().chain([&manifest.image.source]) {
-        sources.push(referred(loading, folder, id, entry)?);
+    let mut common = Vec::new();
+    for entry in &manifest.common {
+        common.push(referred(loading, folder, id, entry)?);
     }
-    let channels = manifest.image.channels();
-    image_scene(
-        loading,
-        manifest.name.unwrap_or(folder_name),
-        sources,
-        channels,
-    )
+    let mut passes = Vec::new();
+    for letter in manifest.order(id)? {
+        if let Some(entry) = manifest.buffer(letter) {
+            passes.push((PassKind::Buffer(letter), entry));
+        }
+    }
+    passes.push((PassKind::Image, &manifest.image));
+    let mut read = Vec::new();
+    for (kind, entry) in passes {
+        let own = referred(loading, folder, id, &entry.source)?;
+        read.push(Pass {
+            kind,
+            sources: common.iter().copied().chain([own]).collect(),
+            channels: entry.channels(),
+        });
+    }
+    let name = manifest.name.clone().unwrap_or(folder_name);
+    scene(loading, name, read)
+}
+
+impl Manifest {
+    fn buffer(&self, letter: BufferLetter) -> Option<&PassEntry> {
+        let entries = [
+            &self.buffer_a,
+            &self.buffer_b,
+            &self.buffer_c,
+            &self.buffer_d,
+        ];
+        entries[letter.index()].as_ref()
+    }
+
+    /// The order of the buffers; one that is given names each of them once.
+    fn order(&self, manifest: FileId) -> Result<Vec<BufferLetter>, Diagnostic> {
+        let Some(order) = &self.order else {
+            return Ok(BufferLetter::ALL.into());
+        };
+        let given: Vec<BufferLetter> = order
+            .get_ref()
+            .iter()
+            .map(|letter| letter.buffer())
+            .collect();
+        let is_right = BufferLetter::ALL.into_iter().all(|letter| {
+            let count = given.iter().filter(|&&other| other == letter).count();
+            count == usize::from(self.buffer(letter).is_some())
+        });
+        match is_right {
+            true => Ok(given),
+            false => Err(Diagnostic::error(
+                "manifest",
+                "`order` does not name each buffer of the scene once",
+            )
+            .at(span(manifest, order.span()))
+            .hint("leave it away to draw the buffers in the order of the alphabet")),
+        }
+    }
 }
 
 /// Reads a file that the manifest names. A manifest may come from anywhere, so it reaches no further
@@ -191,24 +326,11 @@ fn referred(
     loading.read(&path)
 }
 
-fn image_scene(
-    loading: &Loading,
-    name: String,
-    sources: Vec<FileId>,
-    channels: [Option<Channel>; CHANNELS],
-) -> Result<Parts, Failure> {
-    if let Some(&own) = sources.last() {
-        file::refuse_empty(&loading.files, own)?;
+fn scene(loading: &Loading, name: String, passes: Vec<Pass>) -> Result<Parts, Failure> {
+    for own in passes.iter().filter_map(|pass| pass.sources.last()) {
+        file::refuse_empty(&loading.files, *own)?;
     }
-    let kind = PassKind::Image;
-    Ok(Parts {
-        name,
-        passes: vec![Pass {
-            kind,
-            sources,
-            channels,
-        }],
-    })
+    Ok(Parts { name, passes })
 }
 
 /// Leaves out of a path what cancels out, `a/../b` for `b`, so that messages read well. Only where

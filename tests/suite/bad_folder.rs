@@ -114,3 +114,35 @@ fn a_manifest_that_names_one_large_file_again_and_again() {
         &["text is larger than 8 MiB", "a/large.glsl"],
     );
 }
+
+#[test]
+fn a_channel_that_is_bound_to_two_things() {
+    manifest_refused(
+        "[image]\nsource = \"image.glsl\"\niChannel0 = { procedural = \"noise\", buffer = \"A\" }\n",
+        "3:13",
+        &["bound to one thing"],
+    );
+    manifest_refused(
+        "[image]\nsource = \"image.glsl\"\niChannel0 = { filter = \"linear\" }\n",
+        "3:13",
+        &["bound to one thing"],
+    );
+}
+
+#[test]
+fn a_buffer_that_is_none() {
+    manifest_refused(
+        "[image]\nsource = \"image.glsl\"\niChannel0 = { buffer = \"E\" }\n",
+        "3:24",
+        &["unknown variant `E`"],
+    );
+}
+
+#[test]
+fn an_order_of_buffers_that_are_not_there() {
+    manifest_refused(
+        "order = [\"B\"]\n[image]\nsource = \"image.glsl\"\n[buffer_a]\nsource = \"image.glsl\"\n",
+        "1:9",
+        &["`order` does not name each buffer"],
+    );
+}

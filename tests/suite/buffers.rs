@@ -360,3 +360,44 @@ fn an_export_from_the_middle_is_the_same() {
     assert!(bytes("all5.png") == bytes("still.png"));
     assert!(bytes("all4.png") != bytes("all5.png"));
 }
+
+/// Life's rules on its own last frame, in a folder without a manifest and in one with.
+#[test]
+fn folders_have_buffers() {
+    let Some(gpu) = gpu() else { return };
+    let own =
+        "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0) + ONE; }";
+    let other =
+        "void mainImage(out vec4 c, in vec2 p) { c = 10. * texelFetch(iChannel0, ivec2(p), 0); }";
+    let image = "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel1, ivec2(p), 0); }";
+    let folder = Folder::new();
+    folder.write("common.glsl", "#define ONE vec4(1, 2, 3, 4)");
+    folder.write("buffer_a.glsl", own);
+    folder.write("buffer_b.glsl", other);
+    folder.write("image.glsl", image);
+    let open = || {
+        let source = Source::Path(folder.path().to_owned());
+        Session::open_for(gpu, &source, &Options::default(), Format::Floats).expect("a good scene")
+    };
+    let shown = |session: &Session| corner(&drawn(gpu, session, &frames(3), &[SIZE]));
+    // Each pass reads Buffer A through iChannel0 and Buffer B through iChannel1.
+    assert_eq!(shown(&open()), [30.0, 60.0, 90.0, 1.0]);
+    folder.write(
+        "scene.toml",
+        r#"
+common = ["common.glsl"]
+order = ["B", "A"]
+[buffer_a]
+source = "buffer_a.glsl"
+iChannel0 = { buffer = "A", filter = "nearest" }
+[buffer_b]
+source = "buffer_b.glsl"
+iChannel0 = { buffer = "A" }
+[image]
+source = "image.glsl"
+iChannel1 = { buffer = "B", wrap = "repeat" }
+"#,
+    );
+    // B is drawn first now, and sees what A held in the last frame.
+    assert_eq!(shown(&open()), [20.0, 40.0, 60.0, 1.0]);
+}
