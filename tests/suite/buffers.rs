@@ -8,7 +8,7 @@ use vitrine::scene::{PassKind, Source};
 use vitrine::session::Session;
 use vitrine::translate::Options;
 
-use crate::support::{Folder, gpu, vitrine};
+use crate::support::{Folder, gpu, repository, vitrine};
 
 /// The site's ids of what passes write.
 const IDS: [&str; 4] = ["4dXGR8", "XsXGR8", "4sXGR8", "XdfGR8"];
@@ -400,4 +400,26 @@ iChannel1 = { buffer = "B", wrap = "repeat" }
     );
     // B is drawn first now, and sees what A held in the last frame.
     assert_eq!(shown(&open()), [20.0, 40.0, 60.0, 1.0]);
+}
+
+#[test]
+fn blending_over_time_begins_as_the_template() {
+    let Some(gpu) = gpu() else { return };
+    let draw = |name: &str, defines: &[(&str, &str)]| {
+        let options = Options {
+            overrides: defines
+                .iter()
+                .map(|(name, value)| (name.to_string(), value.to_string()))
+                .collect(),
+            ..Options::default()
+        };
+        let source = Source::Path(repository("shadertoy").join(name));
+        let session = Session::open_for(gpu, &source, &options, Format::Floats);
+        let session = session.expect("a good scene");
+        drawn(gpu, &session, &frames(3), &[UVec2::new(96, 54)])
+    };
+    let template = draw("template", &[]);
+    let plain = draw("temporal", &[("NEW_SHARE", "1.0"), ("JITTER", "0")]);
+    assert!(plain == template);
+    assert!(draw("temporal", &[]) != template);
 }

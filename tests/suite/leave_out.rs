@@ -107,9 +107,16 @@ fn sampling_needs_both() {
 }
 
 #[test]
-fn only_scenes_that_read_a_texture_bind_one() {
+fn only_scenes_that_read_a_texture_or_a_buffer_bind_one() {
     let Some(gpu) = gpu() else { return };
-    let with_texture = ["canyon", "derivatives", "haze", "mars", "texture_noise"];
+    let with_texture = [
+        "canyon",
+        "derivatives",
+        "haze",
+        "mars",
+        "temporal",
+        "texture_noise",
+    ];
     for (name, folder) in crate::support::scene_folders() {
         let session = open(gpu, &Source::Path(folder));
         let layout = session.renderer.layouts().next().expect("one pass");

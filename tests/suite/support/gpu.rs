@@ -50,6 +50,12 @@ pub fn draw_with(
     let mut canvas = renderer.canvas(gpu, input.resolution)?;
     let ring = ReadBack::new(gpu, &canvas.target, 1, Extras::default())?;
     let mut slot = ring.slots.into_iter().next().expect("one slot");
+    if renderer.feeds_back() {
+        for frame in 0..u32::try_from(input.frame).unwrap_or(0) {
+            let before = Clock::fixed(60.0).at(frame, input.resolution);
+            renderer.render(gpu, &before, &mut canvas, None);
+        }
+    }
     renderer.render(gpu, input, &mut canvas, Some(&mut slot));
     while !slot.is_ready(gpu)? {}
     let mut image = FrameImage::default();
