@@ -63,7 +63,8 @@ const SANITIZE_HELP: &str = "Look for what GLSL leaves undefined and for what is
     space, pause  stop time, go on       S       save the picture as PNG\n  \
     . ,           a frame on, back       F       full screen\n  \
     R             back to the start      Ctrl+V  play the clipboard's text\n  \
-    Esc           leave                  mouse   is iMouse; drop a file to open it")]
+    Esc           leave                  mouse   is iMouse; drop a file to open it\n\n\
+    Where the scene reads the keyboard, the keys are the scene's: press Ctrl with them, but for Esc.")]
 pub struct RunArgs {
     #[arg(help = format!("{SCENE_HELP} [default: a scene that comes with the program]"))]
     pub scene: Option<PathBuf>,

@@ -3,7 +3,7 @@ use std::time::{Duration, Instant};
 use glam::{UVec2, Vec4};
 use jiff::civil::DateTime;
 
-use super::FrameInput;
+use super::{FrameInput, Keyboard};
 
 /// The step that ShaderToy reports where there is no real one: the first frame after a start, reset
 /// or resume, and every frame that is redrawn while paused.
@@ -67,6 +67,7 @@ impl FixedClock {
             frame: i32::try_from(frame).unwrap_or(i32::MAX),
             resolution,
             mouse: Vec4::ZERO,
+            keyboard: Keyboard::default(),
             date: Date::exported().to_vec4(),
         }
     }
@@ -135,6 +136,7 @@ impl Clock {
             frame,
             resolution,
             mouse: Vec4::ZERO,
+            keyboard: Keyboard::default(),
             date: date.to_vec4(),
         }
     }

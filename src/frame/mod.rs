@@ -5,10 +5,12 @@
 
 mod clock;
 mod image;
+mod keyboard;
 mod mouse;
 
 pub use clock::{Clock, Date, FixedClock};
 pub use image::{FloatImage, FrameImage};
+pub use keyboard::Keyboard;
 pub use mouse::Mouse;
 
 use glam::{UVec2, Vec4};
@@ -33,4 +35,6 @@ pub struct FrameInput {
     pub mouse: Vec4,
     /// `iDate`: year, month from 0, day from 1, seconds since midnight.
     pub date: Vec4,
+    /// The keys, for those that read them.
+    pub keyboard: Keyboard,
 }

@@ -1,6 +1,7 @@
 //! What is bound to a channel: a texture and a sampler, made only if the pass uses them.
 
 use super::gpu::{Gpu, GpuError};
+use crate::frame::Keyboard;
 use crate::scene::{self, Channel, Filter, Input, Wrap};
 
 /// Texels on their way to the GPU, row 0 at the bottom.
@@ -59,6 +60,45 @@ pub(super) fn texture(gpu: &Gpu, channel: Option<&Channel>) -> Result<wgpu::Text
         }
         texture
     })
+}
+
+/// The texture behind a channel that reads the keyboard.
+pub(super) fn keyboard(gpu: &Gpu) -> Result<wgpu::Texture, GpuError> {
+    gpu.guarded("making the keyboard's texture", || {
+        gpu.device().create_texture(&wgpu::TextureDescriptor {
+            label: Some("keyboard"),
+            size: keyboard_size(),
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: wgpu::TextureFormat::R8Unorm,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+            view_formats: &[],
+        })
+    })
+}
+
+fn keyboard_size() -> wgpu::Extent3d {
+    let [width, height] = Keyboard::SIZE;
+    wgpu::Extent3d {
+        width,
+        height,
+        depth_or_array_layers: 1,
+    }
+}
+
+/// Writes the keys as a frame has them.
+pub(super) fn press(gpu: &Gpu, texture: &wgpu::Texture, keyboard: &Keyboard) {
+    gpu.queue().write_texture(
+        texture.as_image_copy(),
+        &keyboard.texels(),
+        wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(Keyboard::SIZE[0]),
+            rows_per_image: None,
+        },
+        keyboard_size(),
+    );
 }
 
 /// Every level down to one texel, each the mean of 2 × 2 texels of the one before, as GL's
@@ -123,6 +163,10 @@ pub(super) fn resolution(channel: Option<&Channel>) -> Option<glam::Vec3> {
         Some(Input::Noise) => {
             let size = scene::NOISE_SIZE as f32;
             Some(glam::vec3(size, size, 1.0))
+        }
+        Some(Input::Keyboard) => {
+            let [width, height] = Keyboard::SIZE.map(|side| side as f32);
+            Some(glam::vec3(width, height, 1.0))
         }
         Some(Input::Buffer(_)) => None,
         _ => Some(glam::Vec3::ZERO),

@@ -49,6 +49,8 @@ enum BoundTexture {
     Fixed(wgpu::TextureView),
     /// What a buffer holds.
     Buffer(BufferLetter, Filter),
+    /// The keys, which each frame brings anew.
+    Keyboard(wgpu::Texture, wgpu::TextureView),
 }
 
 /// Where what a buffer holds can be seen, if it is read so.
@@ -84,6 +86,14 @@ impl GpuPass {
                         input: Input::Buffer(letter),
                         sampling,
                     }) => BoundTexture::Buffer(*letter, sampling.filter),
+                    Some(Channel {
+                        input: Input::Keyboard,
+                        ..
+                    }) => {
+                        let texture = channel::keyboard(gpu)?;
+                        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+                        BoundTexture::Keyboard(texture, view)
+                    }
                     _ => {
                         let texture = channel::texture(gpu, bound)?;
                         let whole = wgpu::TextureViewDescriptor::default();
@@ -155,7 +165,7 @@ impl GpuPass {
         for (index, channel) in self.channels.iter().enumerate() {
             if let Some(texture) = &channel.texture {
                 let view = match texture {
-                    BoundTexture::Fixed(view) => view,
+                    BoundTexture::Fixed(view) | BoundTexture::Keyboard(_, view) => view,
                     BoundTexture::Buffer(letter, filter) => buffer(*letter, *filter),
                 };
                 let resource = wgpu::BindingResource::TextureView(view);
@@ -211,6 +221,11 @@ impl GpuPass {
     ) {
         if let Some(uniforms) = &self.uniforms {
             uniforms.upload(gpu, input);
+        }
+        for channel in &self.channels {
+            if let Some(BoundTexture::Keyboard(texture, _)) = &channel.texture {
+                channel::press(gpu, texture, &input.keyboard);
+            }
         }
         let group = group.or(self.bind_group.as_ref());
         full_screen_pass(encoder, view, &self.pipeline, group, Some(band));

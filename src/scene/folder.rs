@@ -74,6 +74,8 @@ struct ChannelEntry {
 struct ChannelKeys {
     procedural: Option<Procedural>,
     buffer: Option<Letter>,
+    #[serde(default)]
+    keyboard: bool,
     filter: Option<Filter>,
     wrap: Option<Wrap>,
 }
@@ -103,12 +105,13 @@ impl TryFrom<ChannelKeys> for ChannelEntry {
     type Error = &'static str;
 
     fn try_from(keys: ChannelKeys) -> Result<Self, Self::Error> {
-        let input = match (keys.procedural, keys.buffer) {
-            (Some(Procedural::Noise), None) => Input::Noise,
-            (None, Some(letter)) => Input::Buffer(letter.buffer()),
+        let input = match (keys.procedural, keys.buffer, keys.keyboard) {
+            (Some(Procedural::Noise), None, false) => Input::Noise,
+            (None, Some(letter), false) => Input::Buffer(letter.buffer()),
+            (None, None, true) => Input::Keyboard,
             _ => {
                 return Err(
-                    "a channel is bound to one thing: `procedural = \"noise\"`, or a buffer as in `buffer = \"A\"`",
+                    "a channel is bound to one thing: `procedural = \"noise\"`, `keyboard = true`, or a buffer as in `buffer = \"A\"`",
                 );
             }
         };
@@ -122,14 +125,15 @@ impl TryFrom<ChannelKeys> for ChannelEntry {
 
 impl ChannelEntry {
     fn channel(&self) -> Channel {
-        let usual = usual_sampling(&self.input);
+        let mut sampling = usual_sampling(&self.input);
+        // Between keys there is nothing.
+        if self.input != Input::Keyboard {
+            sampling.filter = self.filter.unwrap_or(sampling.filter);
+            sampling.wrap = self.wrap.unwrap_or(sampling.wrap);
+        }
         Channel {
             input: self.input.clone(),
-            sampling: Sampling {
-                filter: self.filter.unwrap_or(usual.filter),
-                wrap: self.wrap.unwrap_or(usual.wrap),
-                vflip: true,
-            },
+            sampling,
         }
     }
 }
@@ -138,6 +142,7 @@ impl ChannelEntry {
 fn usual_sampling(input: &Input) -> Sampling {
     let (filter, wrap) = match input {
         Input::Buffer(_) => (Filter::Linear, Wrap::Clamp),
+        Input::Keyboard => (Filter::Nearest, Wrap::Clamp),
         _ => (Filter::Mipmap, Wrap::Repeat),
     };
     Sampling {

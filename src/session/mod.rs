@@ -158,6 +158,18 @@ impl Session {
         })
     }
 
+    /// Whether some pass reads the keyboard.
+    pub fn reads_keyboard(&self) -> bool {
+        let passes = self.scene.passes.iter().zip(&self.programs);
+        passes.into_iter().any(|(pass, program)| {
+            let channels = pass.channels.iter().zip(&program.channels);
+            channels.into_iter().any(|(channel, usage)| {
+                let input = channel.as_ref().map(|channel| &channel.input);
+                usage.texture && input == Some(&Input::Keyboard)
+            })
+        })
+    }
+
     /// Opens the scene anew, with the options of the first time, and, if that succeeds, becomes the
     /// new one. On failure nothing changes:
     /// what was drawn before can go on.
@@ -198,7 +210,7 @@ pub fn require_drawable(scene: &Scene) -> Result<(), Report> {
         }
         for (index, channel) in pass.channels.iter().enumerate() {
             match channel.as_ref().map(|channel| &channel.input) {
-                None | Some(Input::Noise | Input::Buffer(_)) => {}
+                None | Some(Input::Noise | Input::Buffer(_) | Input::Keyboard) => {}
                 Some(input) => refuse(format!("what iChannel{index} reads, {},", input.name())),
             }
         }

@@ -8,14 +8,14 @@ use winit::application::ApplicationHandler;
 use winit::dpi::PhysicalPosition;
 use winit::event::{ElementState, KeyEvent, MouseButton, StartCause, TouchPhase, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
-use winit::keyboard::ModifiersState;
+use winit::keyboard::{Key, ModifiersState};
 use winit::window::WindowId;
 
 use super::input::{self, Command};
 use super::stage::Stage;
 use super::watch::FileWatch;
 use super::{Opened, Options, PlayError, Reload, Wake, picture};
-use crate::frame::{Clock, Mouse};
+use crate::frame::{Clock, Keyboard, Mouse};
 use crate::render::Watchdog;
 use crate::report;
 use crate::scene::Source;
@@ -33,6 +33,7 @@ pub(super) struct App {
     watch: Option<FileWatch>,
     clock: Clock,
     mouse: Mouse,
+    keyboard: Keyboard,
     pointer: DVec2,
     modifiers: ModifiersState,
     stage: Option<Stage>,
@@ -59,6 +60,7 @@ impl App {
             watch: None,
             clock: Clock::default(),
             mouse: Mouse::default(),
+            keyboard: Keyboard::default(),
             pointer: DVec2::ZERO,
             modifiers: ModifiersState::empty(),
             stage: None,
@@ -139,6 +141,8 @@ impl App {
             let mut input = self.clock.tick(stage.size());
             input.mouse = self.mouse.frame_value();
             self.mouse.frame_drawn();
+            input.keyboard = self.keyboard;
+            self.keyboard.frame_drawn();
             self.watchdog.begin();
             if self.clock.is_paused() {
                 stage.title_changed();
@@ -226,6 +230,7 @@ impl App {
         if is_new {
             self.clock.reset();
             self.mouse = Mouse::default();
+            self.keyboard = Keyboard::default();
         }
         if let Some(stage) = &mut self.stage {
             stage.replace(session, reload)?;
@@ -282,6 +287,34 @@ impl App {
             Command::Leave => event_loop.exit(),
         }
         self.input_came();
+    }
+
+    /// A key went down or up: a command, or something for a scene that reads the keyboard.
+    fn key(
+        &mut self,
+        event_loop: &ActiveEventLoop,
+        key: &Key,
+        state: ElementState,
+        is_repeated: bool,
+    ) {
+        let stage = self.stage.as_ref();
+        let is_scenes = stage.is_some_and(|stage| stage.session.reads_keyboard());
+        let is_down = state == ElementState::Pressed;
+        let command = input::command(key, self.modifiers, is_scenes).filter(|_| is_down);
+        match (command, input::key_code(key)) {
+            // Only stepping makes sense to hold down.
+            (Some(command), _) if !is_repeated || matches!(command, Command::Step(_)) => {
+                self.obey(event_loop, command);
+            }
+            (None, Some(code)) if is_scenes => {
+                match is_down {
+                    true => self.keyboard.press(code),
+                    false => self.keyboard.release(code),
+                }
+                self.input_came();
+            }
+            _ => {}
+        }
     }
 
     fn save(&self) {
@@ -369,19 +402,15 @@ impl ApplicationHandler<Wake> for App {
                 event:
                     KeyEvent {
                         logical_key,
-                        state: ElementState::Pressed,
+                        state,
                         repeat,
                         ..
                     },
                 is_synthetic: false,
                 ..
-            } => match input::command(&logical_key, self.modifiers) {
-                // Only stepping makes sense to hold down.
-                Some(command) if !repeat || matches!(command, Command::Step(_)) => {
-                    self.obey(event_loop, command);
-                }
-                _ => {}
-            },
+            } => self.key(event_loop, &logical_key, state, repeat),
+            // What is released elsewhere is not seen.
+            WindowEvent::Focused(false) => self.keyboard.release_all(),
             WindowEvent::CursorMoved { position, .. } => self.point(position),
             WindowEvent::MouseInput {
                 state,

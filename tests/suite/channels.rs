@@ -1,7 +1,7 @@
 //! What a scene reads from `iChannel0` to `iChannel3`.
 
 use glam::UVec2;
-use vitrine::frame::Clock;
+use vitrine::frame::{Clock, FrameInput, Keyboard};
 use vitrine::scene::{NOISE_SIZE, Source, noise_texture};
 
 use crate::support::{Folder, assert_claims, claims, draw, gpu, open, plain};
@@ -131,4 +131,39 @@ fn an_unbound_channel_reads_opaque_black_and_warns() {
         warnings.contains("`iChannel2` is read but nothing is bound to it"),
         "{warnings}"
     );
+}
+
+#[test]
+fn the_keyboard_has_a_column_for_each_key() {
+    let Some(gpu) = gpu() else { return };
+    let these = [
+        "texelFetch(iChannel0, ivec2(65, 0), 0) == vec4(1, 0, 0, 1)",
+        "texelFetch(iChannel0, ivec2(65, 1), 0).x == 1.0",
+        "texelFetch(iChannel0, ivec2(65, 2), 0).x == 1.0",
+        "texelFetch(iChannel0, ivec2(66, 0), 0) == vec4(0, 0, 0, 1)",
+        // Held since the frame before: it is not pressed again.
+        "texelFetch(iChannel0, ivec2(37, 0), 0).x == 1.0",
+        "texelFetch(iChannel0, ivec2(37, 1), 0).x == 0.0",
+        "textureSize(iChannel0, 0) == ivec2(256, 3)",
+        "iChannelResolution[0] == vec3(256, 3, 1)",
+        // Between keys there is nothing, whatever is asked for.
+        "texture(iChannel0, vec2(65.9 / 256.0, 0.1)).x == 1.0",
+        "texture(iChannel0, vec2(1.3, 0.1)).x == 0.0",
+    ];
+    let folder = Folder::with("image.glsl", claims(&these));
+    folder.write(
+        "scene.toml",
+        "[image]\nsource = \"image.glsl\"\niChannel0 = { keyboard = true, filter = \"linear\" }\n",
+    );
+    let session = open(gpu, &Source::Path(folder.path().to_owned()));
+    assert!(session.reads_keyboard());
+    let mut keyboard = Keyboard::default();
+    keyboard.press(37);
+    keyboard.frame_drawn();
+    keyboard.press(65);
+    let input = FrameInput {
+        keyboard,
+        ..Clock::fixed(60.0).at(0, UVec2::new(these.len() as u32, 1))
+    };
+    assert_claims(&these, &draw(gpu, &session, &input));
 }

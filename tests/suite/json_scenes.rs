@@ -166,7 +166,7 @@ fn what_cannot_be_drawn_yet_is_refused_and_named() {
     if crate::support::gpu().is_none() {
         return;
     }
-    let inputs = json!([{ "id": "4dXGRr", "type": "keyboard", "channel": 1 }]);
+    let inputs = json!([{ "id": "4sf3zn", "type": "webcam", "channel": 1 }]);
     let code = "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel1, ivec2(p), 0); }";
     let text = export(&[
         pass(
@@ -177,13 +177,13 @@ fn what_cannot_be_drawn_yet_is_refused_and_named() {
         ),
         pass("image", "4dfGRr", code, inputs),
     ]);
-    let folder = Folder::with("keys.json", text);
+    let folder = Folder::with("film.json", text);
     folder
-        .run("export keys.json --out a.png --size 8x8")
+        .run("export film.json --out a.png --size 8x8")
         .exits(1)
         .says("error[not-drawable-yet]: the pass Cube A cannot be drawn yet")
-        .says("error[not-drawable-yet]: what iChannel1 reads, keyboard, cannot be drawn yet");
-    assert_eq!(folder.files(), ["keys.json"]);
+        .says("error[not-drawable-yet]: what iChannel1 reads, webcam, cannot be drawn yet");
+    assert_eq!(folder.files(), ["film.json"]);
 }
 
 #[cfg(feature = "gpu")]
