@@ -178,6 +178,9 @@ pub struct StabilityArgs {
     /// How to write the verdicts
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,
+    /// The same as `--format json`
+    #[arg(long, conflicts_with = "format")]
+    pub json: bool,
     #[command(flatten)]
     pub define: DefineArgs,
     #[command(flatten)]

@@ -40,7 +40,8 @@ pub fn stability(args: StabilityArgs) -> anyhow::Result<ExitCode> {
         Ok(examination) => examination,
         Err(error) => return explain(error).map(Into::into),
     };
-    match args.format {
+    let format = if args.json { Format::Json } else { args.format };
+    match format {
         Format::Human => {
             print(table(&verdicts).as_bytes())?;
             report::show(&findings);
