@@ -10,7 +10,7 @@ use crate::frame::{FloatImage, FrameImage, FrameInput};
 use crate::output::{self, PngSink, WriteError};
 use crate::render::{Gpu, GpuError, Watchdog};
 use crate::scene::Source;
-use crate::session::{Findings, OpenError, Subject};
+use crate::session::{Findings, Moment, OpenError, Subject};
 use crate::source::Span;
 use crate::translate::{Checks, Options, Output, Probe};
 
@@ -89,7 +89,8 @@ impl Layers {
             picture,
         };
         if wanted.rounds {
-            let program = &layers.picture.session.programs[0];
+            let programs = layers.picture.session.programs.last();
+            let program = programs.expect("a scene has an Image pass");
             layers.loops = program
                 .loops
                 .iter()
@@ -118,7 +119,7 @@ impl Layers {
         gpu: &Gpu,
         input: &FrameInput,
         within: &str,
-        waiting: &mut dyn FnMut(),
+        waiting: &mut dyn FnMut(Moment),
     ) -> Result<FloatImage, GpuError> {
         let drawn = self.picture.draw(gpu, input, waiting)?;
         let programs = &self.picture.session.programs;
@@ -132,7 +133,7 @@ impl Layers {
         gpu: &Gpu,
         input: &FrameInput,
         within: &str,
-        waiting: &mut dyn FnMut(),
+        waiting: &mut dyn FnMut(Moment),
     ) -> Result<Channels, GpuError> {
         let picture = self.draw_picture(gpu, input, within, waiting)?;
         let mut channels: Channels = Vec::new();
@@ -161,7 +162,7 @@ impl Layers {
         &mut self,
         gpu: &Gpu,
         input: &FrameInput,
-        waiting: &mut dyn FnMut(),
+        waiting: &mut dyn FnMut(Moment),
     ) -> Result<Option<FloatImage>, GpuError> {
         for (subject, loops) in self.rounds.iter_mut().zip(self.loops.chunks_mut(4)) {
             let image = subject.draw(gpu, input, waiting)?.image;
@@ -200,7 +201,7 @@ pub fn export_layers(
         let path = job.out.path(number);
         watchdog.begin();
         let mut goes_on = true;
-        let mut waiting = || goes_on &= progress(summary.frames);
+        let mut waiting = |_| goes_on &= progress(summary.frames);
         let within = job.within(number);
         let (mut exr, mut heat) = (None, None);
         if job.out.is_exr() {

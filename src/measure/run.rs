@@ -273,7 +273,7 @@ impl Run<'_, '_> {
     fn draw(&mut self, subject: &mut Subject, time: f64) -> Result<Drawn, OpenError> {
         self.tell();
         let input = Clock::fixed(60.0).at_time(time, self.study.size);
-        Ok(subject.draw(self.around.gpu, &input, &mut || {})?)
+        Ok(subject.draw(self.around.gpu, &input, &mut |_| {})?)
     }
 
     /// Draws something at every moment of a variant; how many components of it mean something.

@@ -9,7 +9,7 @@ use super::compare;
 use crate::frame::{Clock, FloatImage, FrameInput};
 use crate::render::Gpu;
 use crate::scene::Source;
-use crate::session::{Findings, OpenError, Subject};
+use crate::session::{Drawn, Findings, Moment, OpenError, Subject};
 use crate::source::{Diagnostic, Report};
 use crate::translate::{Checks, Options, Output, Precision};
 
@@ -219,6 +219,8 @@ pub fn examine(
     progress: &mut dyn FnMut(usize, &str),
 ) -> Result<Examination, OpenError> {
     let mut scene = Examined {
+        progress,
+        case: (0, String::new()),
         gpu,
         source,
         options,
@@ -230,7 +232,8 @@ pub fn examine(
     let is_varied = !is_flat(&rest);
     let mut verdicts = Vec::new();
     for (done, case) in cases.iter().enumerate() {
-        progress(done, &case.name);
+        scene.case = (done, case.name.clone());
+        scene.tell();
         verdicts.push(scene.verdict(case, is_varied)?);
     }
     Ok(Examination {
@@ -241,6 +244,9 @@ pub fn examine(
 
 /// A scene, opened in as many ways as it has been drawn.
 struct Examined<'a> {
+    progress: &'a mut dyn FnMut(usize, &str),
+    /// The case that is looked at, and how many there were before.
+    case: (usize, String),
     gpu: &'a Gpu,
     source: &'a Source,
     options: &'a Options,
@@ -260,9 +266,37 @@ struct Way {
 }
 
 impl Examined<'_> {
+    fn tell(&mut self) {
+        (self.progress)(self.case.0, &self.case.1);
+    }
+
+    /// Draws a frame in one of the ways; the frames before it that buffers remember count each for itself.
+    fn draw(&mut self, way: &Way, input: &FrameInput) -> Result<Drawn, OpenError> {
+        let at = self.open(way)?;
+        let Examined {
+            progress,
+            case,
+            gpu,
+            open,
+            ..
+        } = self;
+        let mut tell = |moment| {
+            if moment == Moment::FrameDone {
+                progress(case.0, &case.1);
+            }
+        };
+        Ok(open[at].1.draw(gpu, input, &mut tell)?)
+    }
+
     fn subject(&mut self, way: &Way) -> Result<&mut Subject, OpenError> {
+        let at = self.open(way)?;
+        Ok(&mut self.open[at].1)
+    }
+
+    /// Opens the scene in one of the ways, unless it is open so; its place among those that are.
+    fn open(&mut self, way: &Way) -> Result<usize, OpenError> {
         let known = self.open.iter().position(|(known, _)| known == way);
-        let index = match known {
+        Ok(match known {
             Some(index) => index,
             None => {
                 let options = Options {
@@ -277,8 +311,7 @@ impl Examined<'_> {
                 self.open.push((way.clone(), subject));
                 self.open.len() - 1
             }
-        };
-        Ok(&mut self.open[index].1)
+        })
     }
 
     fn image(
@@ -295,8 +328,7 @@ impl Examined<'_> {
             output: output.clone(),
             checks: Checks::None,
         };
-        let gpu = self.gpu;
-        Ok(self.subject(&way)?.draw(gpu, input, &mut || {})?.image)
+        Ok(self.draw(&way, input)?.image)
     }
 
     /// Draws a case once more, watched; at how many places something went wrong.
@@ -317,10 +349,8 @@ impl Examined<'_> {
             Some(known) => self.findings.swap_remove(known),
             None => (way.clone(), Findings::default()),
         };
-        let gpu = self.gpu;
-        let subject = self.subject(&way)?;
-        let drawn = subject.draw(gpu, &case.input, &mut || {})?;
-        let programs = &subject.session.programs;
+        let drawn = self.draw(&way, &case.input)?;
+        let programs = &self.subject(&way)?.session.programs;
         let count = findings.note(programs, &drawn.findings, &case.input, &case.name);
         self.findings.push((first, findings));
         Ok(Some(count))
@@ -405,7 +435,8 @@ impl Examined<'_> {
             output: Output::Colour,
             checks: Checks::None,
         };
-        let loops = self.subject(&way)?.session.programs[0].loops.clone();
+        let loops = self.subject(&way)?.session.programs.last();
+        let loops = loops.map_or(Vec::new(), |image| image.loops.clone());
         let at = ((input.resolution.y - 1 - y) * input.resolution.x + x) as usize;
         let mut rounds = Vec::new();
         for first in (0..loops.len() as u32).step_by(4) {

@@ -9,7 +9,7 @@ use crate::scene::Source;
 use crate::translate;
 
 /// The most frames that are drawn before one, of a scene whose buffers remember them.
-const MOST_BEFORE: i32 = 600;
+const MOST_BEFORE: i32 = 60;
 
 /// One way to draw a scene, into floats: with some macros, in some precision, giving its colour or a
 /// value from within.
@@ -23,6 +23,15 @@ pub struct Subject {
     last: Option<i32>,
     /// How it is drawn in bands, if it is.
     pace: Option<Pace>,
+}
+
+/// What someone is told while a frame is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moment {
+    /// The device is busy.
+    Waiting,
+    /// One of the frames before is done.
+    FrameDone,
 }
 
 /// A picture, and how long it took.
@@ -72,24 +81,26 @@ impl Subject {
         image.map_or(4, |program| usize::from(program.components))
     }
 
-    /// Draws one frame and waits for it. `waiting` is called now and then; it may end the program.
+    /// Draws one frame and waits for it, after those before where buffers remember them. `tell` is called now and
+    /// then; it may end the program.
     pub fn draw(
         &mut self,
         gpu: &Gpu,
         input: &FrameInput,
-        waiting: &mut dyn FnMut(),
+        tell: &mut dyn FnMut(Moment),
     ) -> Result<Drawn, GpuError> {
         let is_next = self
             .last
             .is_some_and(|last| last.checked_add(1) == Some(input.frame));
         let feeds_back = self.session.renderer.feeds_back() && !is_next;
         for before in frames_before(input, feeds_back) {
-            self.hand_over(gpu, &before, false, waiting)?;
+            self.hand_over(gpu, &before, false, tell)?;
+            tell(Moment::FrameDone);
         }
         self.last = Some(input.frame);
-        self.hand_over(gpu, input, true, waiting)?;
+        self.hand_over(gpu, input, true, tell)?;
         while !self.slot.is_ready(gpu)? {
-            waiting();
+            tell(Moment::Waiting);
         }
         let mut image = FloatImage::default();
         let transferred = self.slot.take_floats(gpu, &mut image)?;
@@ -106,7 +117,7 @@ impl Subject {
         gpu: &Gpu,
         input: &FrameInput,
         is_wanted: bool,
-        waiting: &mut dyn FnMut(),
+        tell: &mut dyn FnMut(Moment),
     ) -> Result<(), GpuError> {
         let renderer = &self.session.renderer;
         let (canvas, slot) = (&mut self.canvas, is_wanted.then_some(&mut self.slot));
@@ -114,7 +125,7 @@ impl Subject {
             None => renderer.render(gpu, input, canvas, slot),
             Some(pace) => {
                 let mut between = || {
-                    waiting();
+                    tell(Moment::Waiting);
                     true
                 };
                 renderer.render_in_bands(gpu, input, canvas, slot, pace, &mut between)?;

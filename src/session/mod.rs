@@ -4,7 +4,7 @@ mod findings;
 mod floats;
 
 pub use findings::Findings;
-pub use floats::{Drawn, Subject};
+pub use floats::{Drawn, Moment, Subject};
 
 use std::path::PathBuf;
 use std::time::{Duration, Instant};

@@ -20,7 +20,7 @@ fn drawn(gpu: &Gpu, text: &str, output: Output) -> FloatImage {
     let mut subject = Subject::open(gpu, &pasted(text), &options, SIZE).expect("a good scene");
     let input = Clock::fixed(60.0).at(0, SIZE);
     subject
-        .draw(gpu, &input, &mut || {})
+        .draw(gpu, &input, &mut |_| {})
         .expect("a device")
         .image
 }
@@ -96,7 +96,7 @@ fn a_probe_is_as_precise_as_the_program() {
         let mut subject = Subject::open(gpu, &pasted(text), &options, SIZE).expect("a good scene");
         let input = Clock::fixed(60.0).at(0, SIZE);
         let image = subject
-            .draw(gpu, &input, &mut || {})
+            .draw(gpu, &input, &mut |_| {})
             .expect("a device")
             .image;
         pixel(&image, 0, 0)[0]
