@@ -9,9 +9,6 @@ use crate::session::Session;
 
 use super::Job;
 
-/// A frame that is drawn at once and takes longer than this is one too many.
-const SLOW: Duration = Duration::from_millis(500);
-
 /// What frames are drawn with.
 pub(super) struct Drawing<'a> {
     pub canvas: Canvas,
@@ -50,9 +47,10 @@ impl<'a> Drawing<'a> {
         self.pace.is_whole()
     }
 
-    /// Learns how long it took until a frame that was handed over whole was back.
+    /// Learns how long it took until a frame that was handed over was back.
     pub fn waited(&mut self, time: Duration) {
-        if time > SLOW {
+        // What was drawn in bands was waited for before.
+        if self.is_quick() {
             self.pace.took(self.canvas.target.size().y, time);
         }
     }

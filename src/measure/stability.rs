@@ -265,6 +265,19 @@ struct Way {
     checks: Checks,
 }
 
+impl Way {
+    /// As the window draws it, under some macros.
+    fn plain(input: &FrameInput, defines: &[(String, String)]) -> Self {
+        Way {
+            size: input.resolution,
+            defines: defines.to_vec(),
+            precision: Precision::Single,
+            output: Output::Colour,
+            checks: Checks::None,
+        }
+    }
+}
+
 impl Examined<'_> {
     fn tell(&mut self) {
         (self.progress)(self.case.0, &self.case.1);
@@ -322,11 +335,9 @@ impl Examined<'_> {
         output: &Output,
     ) -> Result<FloatImage, OpenError> {
         let way = Way {
-            size: input.resolution,
-            defines: defines.to_vec(),
             precision,
             output: output.clone(),
-            checks: Checks::None,
+            ..Way::plain(input, defines)
         };
         Ok(self.draw(&way, input)?.image)
     }
@@ -337,11 +348,8 @@ impl Examined<'_> {
             return Ok(None);
         }
         let way = Way {
-            size: case.input.resolution,
-            defines: case.defines.clone(),
-            precision: Precision::Single,
-            output: Output::Colour,
             checks: Checks::All,
+            ..Way::plain(&case.input, &case.defines)
         };
         let known = |(known, _): &(Way, Findings)| known.defines == way.defines;
         let known = self.findings.iter().position(known);
@@ -428,13 +436,7 @@ impl Examined<'_> {
         defines: &[(String, String)],
         [x, y]: [u32; 2],
     ) -> Result<Option<String>, OpenError> {
-        let way = Way {
-            size: input.resolution,
-            defines: defines.to_vec(),
-            precision: Precision::Single,
-            output: Output::Colour,
-            checks: Checks::None,
-        };
+        let way = Way::plain(input, defines);
         let loops = self.subject(&way)?.session.programs.last();
         let loops = loops.map_or(Vec::new(), |image| image.loops.clone());
         let at = ((input.resolution.y - 1 - y) * input.resolution.x + x) as usize;

@@ -8,6 +8,9 @@ use super::gpu::Gpu;
 /// stands still meanwhile.
 const BAND: Duration = Duration::from_millis(250);
 
+/// A picture that is drawn at once and takes longer than this is one too many.
+const SLOW: Duration = Duration::from_millis(500);
+
 /// How much larger or smaller than the last a band may be: how long a shader takes differs from place to
 /// place.
 const MOST_CHANGE: f64 = 4.0;
@@ -63,8 +66,12 @@ impl Pace {
         self.rows >= self.height
     }
 
-    /// Learns from a band of so many rows.
+    /// Learns from a band of so many rows. Whole pictures stay so until one is slow: what else was under way
+    /// counts with them.
     pub fn took(&mut self, rows: u32, time: Duration) {
+        if self.is_whole() && time <= SLOW {
+            return;
+        }
         let fits = BAND.as_secs_f64() / time.as_secs_f64().max(1e-9);
         let change = fits.clamp(1.0 / MOST_CHANGE, MOST_CHANGE);
         let wanted = even((f64::from(rows) * change) as u32);

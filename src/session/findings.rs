@@ -1,13 +1,11 @@
 //! What goes wrong while frames are drawn: gathered over frames, and looked at again for the operands.
 
-use super::Session;
 use super::floats::frames_before;
+use super::{OpenError, Session};
 use crate::frame::FrameInput;
 use crate::render::{Extras, Gpu, GpuError, Pace, ReadBack, Renderer};
 use crate::source::{Diagnostic, Report};
 use crate::translate::{self, Checks, Finding, OPERAND_WORDS, Program};
-
-use super::OpenError;
 
 /// What frames of one session have found, by pass and site.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -11,9 +11,6 @@ use crate::frame::FrameInput;
 use crate::render::{Canvas, Cursor, Gpu, Pace, Slot};
 use crate::session::Session;
 
-/// A frame that is drawn at once and takes longer is one too many.
-const SLOW: Duration = Duration::from_millis(500);
-
 /// The frames of one session in one size.
 pub(super) struct Drawing {
     pace: Pace,
@@ -116,9 +113,7 @@ impl Drawing {
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
             .take();
-        if let Some((rows, time)) = took
-            && (!self.pace.is_whole() || time > SLOW)
-        {
+        if let Some((rows, time)) = took {
             self.pace.took(rows, time);
         }
     }
