@@ -20,6 +20,7 @@ pub mod frame;
 pub mod glsl;
 #[cfg(feature = "gpu")]
 pub mod measure;
+pub mod media;
 pub mod output;
 #[cfg(feature = "gpu")]
 pub mod render;

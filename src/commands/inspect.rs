@@ -18,7 +18,7 @@ struct Findings<'a> {
     uniforms: Vec<&'static str>,
     /// Bytes of the uniform block; absent without one.
     uniform_block: Option<u32>,
-    channels: Vec<ChannelFindings<'a>>,
+    channels: Vec<ChannelFindings>,
     functions: &'a [String],
     /// Bytes of constant tables that are bound as a buffer.
     tables: usize,
@@ -35,12 +35,12 @@ struct Guards {
 }
 
 #[derive(Serialize)]
-struct ChannelFindings<'a> {
+struct ChannelFindings {
     name: &'static str,
     /// Its kind, `noise` for example, or `unbound`.
     input: &'static str,
     /// Which of the site's files it is.
-    media: Option<&'a str>,
+    media: Option<String>,
     filter: Option<&'static str>,
     wrap: Option<&'static str>,
     texture: bool,
@@ -130,11 +130,11 @@ fn places(scene: &Scene, spans: &[Span]) -> Vec<String> {
     spans.iter().map(|&span| scene.files.place(span)).collect()
 }
 
-fn channel(index: usize, usage: ChannelUse, bound: Option<&Channel>) -> ChannelFindings<'_> {
+fn channel(index: usize, usage: ChannelUse, bound: Option<&Channel>) -> ChannelFindings {
     ChannelFindings {
         name: bindings::channel_name(index),
         input: bound.map_or("unbound", |channel| channel.input.name()),
-        media: bound.and_then(|channel| Some(&*channel.input.media()?.path)),
+        media: bound.and_then(|channel| Some(channel.input.media()?.to_string())),
         filter: bound.map(|channel| channel.sampling.filter.name()),
         wrap: bound.map(|channel| channel.sampling.wrap.name()),
         texture: usage.texture,
@@ -177,7 +177,7 @@ fn line(title: &str, items: &[String]) -> String {
     }
 }
 
-fn channel_line(channel: &ChannelFindings<'_>) -> String {
+fn channel_line(channel: &ChannelFindings) -> String {
     let how = match (channel.filter, channel.wrap) {
         (Some(filter), Some(wrap)) => format!(", {filter}, {wrap}"),
         _ => String::new(),

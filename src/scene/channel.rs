@@ -1,5 +1,8 @@
 //! What a pass reads through `iChannel0` to `iChannel3`, and how.
 
+use std::fmt;
+use std::path::PathBuf;
+
 use super::BufferLetter;
 
 /// What is bound to one channel.
@@ -16,11 +19,11 @@ pub struct Channel {
 pub enum Input {
     /// The generated noise texture, see [`noise_texture`](super::noise_texture).
     Noise,
-    /// A picture of the site's.
+    /// A picture.
     Texture(Media),
-    /// Six pictures of the site's, around the viewer.
+    /// Six pictures around the viewer.
     Cubemap(Media),
-    /// A block of texels of the site's.
+    /// A block of texels.
     Volume(Media),
     /// What a buffer pass drew, this frame if it is drawn before the reader, else in the last one. A
     /// scene may read a buffer that no pass draws: it stays clear.
@@ -29,13 +32,13 @@ pub enum Input {
     CubeBuffer,
     /// Which keys are held, were just pressed, and are toggled.
     Keyboard,
-    /// Spectrum and waveform of a piece of music of the site's.
+    /// Spectrum and waveform of a piece of music.
     Music(Media),
     /// The same of music from a streaming service.
     MusicStream(Media),
     /// The same of the microphone.
     Mic,
-    /// A film of the site's.
+    /// A film.
     Video(Media),
     /// The camera.
     Webcam,
@@ -69,7 +72,7 @@ impl Input {
         }
     }
 
-    /// Which of the site's files it is, if it is one.
+    /// Which file it is, if it is one.
     pub fn media(&self) -> Option<&Media> {
         match self {
             Input::Texture(media)
@@ -83,14 +86,33 @@ impl Input {
     }
 }
 
-/// One of the site's files, as its JSON names it. Both are text that came with the scene: a path here
-/// is a name to look up, never one to open.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Media {
-    /// Six characters, or a number in the public interface.
-    pub id: String,
-    /// A path on the site, or the address of a stream.
-    pub path: String,
+/// Where the texels or the sounds of an input lie.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Media {
+    /// One of the site's files, as its JSON names it. Both are text that came with the scene: a path here is a name to
+    /// look up, never one to open.
+    Site {
+        /// Six characters, or a number in the public interface.
+        id: String,
+        /// A path on the site, or the address of a stream.
+        path: String,
+    },
+    /// Files on the user's disk: one, or the six faces of a cubemap in the order +X, −X, +Y, −Y, +Z, −Z. They lie where
+    /// the form of the scene allows it, or were named by the user.
+    Files(Vec<PathBuf>),
+}
+
+impl fmt::Display for Media {
+    /// Its path.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Media::Site { path, .. } => f.write_str(path),
+            Media::Files(files) => match &**files {
+                [first, ..] => first.display().fmt(f),
+                [] => Ok(()),
+            },
+        }
+    }
 }
 
 /// The types of sampler that a channel can be.

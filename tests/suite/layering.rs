@@ -14,6 +14,7 @@ const RULES: &[(&str, &str, &str)] = &[
     ("frame", "", "glam jiff"),
     ("report", "source", "annotate_snippets anstream serde serde_json"),
     ("scene", "source", "image serde serde_json toml std::fs"),
+    ("media", "scene", "image std::fs"),
     ("glsl", "source", "hashbrown memchr naga rustc_hash smallvec"),
     ("translate", "glsl scene source", "naga"),
     ("render", "frame scene translate", "bytemuck glam pollster thiserror wgpu"),

@@ -49,11 +49,8 @@ pub(super) fn channel<'a>(
         ));
     };
     let kind = text(entry.kind.or(entry.ctype));
-    let media = Media {
-        id: text(entry.id),
-        path: text(entry.filepath.or(entry.src)),
-    };
-    let Some(input) = input(&kind, media) else {
+    let (id, path) = (text(entry.id), text(entry.filepath.or(entry.src)));
+    let Some(input) = input(&kind, id, path) else {
         return warning(format!(
             "iChannel{index} has an input of the unknown type `{kind}`: it is left unbound"
         ));
@@ -62,20 +59,29 @@ pub(super) fn channel<'a>(
     Ok(Ok((index, Channel { input, sampling })))
 }
 
-fn input(kind: &str, media: Media) -> Option<Input> {
+fn input(kind: &str, id: String, path: String) -> Option<Input> {
+    let is_cube_a = id == CUBE_A || path.contains("cubemap00");
+    // Names are no help: authors change them.
+    let buffer = || buffer_of_id(&id).or_else(|| buffer_of_path(&path));
+    Some(match kind {
+        "buffer" => Input::Buffer(buffer()?),
+        "cubemap" if is_cube_a => Input::CubeBuffer,
+        "keyboard" => Input::Keyboard,
+        "mic" => Input::Mic,
+        "webcam" => Input::Webcam,
+        _ => file(kind, Media::Site { id, path })?,
+    })
+}
+
+/// An input whose texels or sounds lie in a file.
+fn file(kind: &str, media: Media) -> Option<Input> {
     Some(match kind {
         "texture" => Input::Texture(media),
-        "cubemap" if media.id == CUBE_A || media.path.contains("cubemap00") => Input::CubeBuffer,
         "cubemap" => Input::Cubemap(media),
         "volume" => Input::Volume(media),
-        // Names are no help: authors change them.
-        "buffer" => Input::Buffer(buffer_of_id(&media.id).or_else(|| buffer_of_path(&media.path))?),
-        "keyboard" => Input::Keyboard,
         "music" => Input::Music(media),
         "musicstream" => Input::MusicStream(media),
-        "mic" => Input::Mic,
         "video" => Input::Video(media),
-        "webcam" => Input::Webcam,
         _ => return None,
     })
 }

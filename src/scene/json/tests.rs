@@ -126,7 +126,7 @@ fn the_public_interface_has_other_keys() {
         .channels
         .clone()
         .map(|bound| bound.map(|c| c.input));
-    let media = Media {
+    let media = Media::Site {
         id: "17".to_owned(),
         path: "/media/a/noise.png".to_owned(),
     };
