@@ -17,8 +17,7 @@ use vitrine::export::{Frames, Job, OutPattern, Summary, export};
 use vitrine::frame::Clock;
 use vitrine::render::{AdapterChoice, Gpu, Watchdog};
 use vitrine::scene::Source;
-use vitrine::session::Session;
-use vitrine::translate::Options;
+use vitrine::session::{Session, Setup};
 
 const REPEATS: usize = 7;
 
@@ -42,7 +41,7 @@ fn gradient(gpu: &Gpu) {
         name: "gradient".to_owned(),
         bytes: GRADIENT.into(),
     };
-    let session = Session::open(gpu, &source, &Options::default()).expect("a scene that runs");
+    let session = Session::open(gpu, &source, &Setup::default()).expect("a scene that runs");
     let (size, frames) = (UVec2::new(1280, 720), 120);
     bare_loop(gpu, &session, size, 10);
     let (mut bare, mut exported) = (Vec::new(), Vec::new());
@@ -69,8 +68,7 @@ fn gradient(gpu: &Gpu) {
 
 fn template(gpu: &Gpu) {
     let source = Source::Embedded;
-    let session =
-        Session::open(gpu, &source, &Options::default()).expect("the embedded scene runs");
+    let session = Session::open(gpu, &source, &Setup::default()).expect("the embedded scene runs");
     let (size, frames) = (UVec2::new(640, 360), 60);
     // The driver's late compilation belongs to the start-up.
     exported_once(gpu, &session, size, 1, true);

@@ -45,6 +45,8 @@ pub enum Command {
     Translate(TranslateArgs),
     /// Say what a scene uses, and what was therefore left out
     Inspect(InspectArgs),
+    /// List the site's media, and which of them are stand-ins
+    Media(MediaListArgs),
     /// List the graphics adapters, and what to install when there is none
     #[cfg(feature = "gpu")]
     Doctor,
@@ -84,6 +86,8 @@ pub struct RunArgs {
     pub sanitize: bool,
     #[command(flatten)]
     pub define: DefineArgs,
+    #[command(flatten)]
+    pub media: MediaArgs,
     #[command(flatten)]
     pub gpu: GpuArgs,
 }
@@ -129,6 +133,8 @@ pub struct ExportArgs {
     #[command(flatten)]
     pub define: DefineArgs,
     #[command(flatten)]
+    pub media: MediaArgs,
+    #[command(flatten)]
     pub gpu: GpuArgs,
 }
 
@@ -162,6 +168,8 @@ pub struct MeasureArgs {
     #[arg(long)]
     pub fresh: bool,
     #[command(flatten)]
+    pub media: MediaArgs,
+    #[command(flatten)]
     pub gpu: GpuArgs,
 }
 
@@ -184,6 +192,8 @@ pub struct StabilityArgs {
     #[command(flatten)]
     pub define: DefineArgs,
     #[command(flatten)]
+    pub media: MediaArgs,
+    #[command(flatten)]
     pub gpu: GpuArgs,
 }
 
@@ -196,6 +206,16 @@ pub struct GpuArgs {
     /// Give up when one frame takes longer than this many seconds; 0 waits for ever
     #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = not_negative)]
     pub frame_timeout: f64,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct MediaArgs {
+    /// A folder with copies of the site's media, which are used in place of stand-ins
+    #[arg(long, value_name = "DIR", env = "VITRINE_MEDIA")]
+    pub media: Option<PathBuf>,
+    /// Make nothing up: a channel reads (0, 0, 0, 1) where a copy is missing
+    #[arg(long)]
+    pub no_stand_ins: bool,
 }
 
 #[derive(Clone, Debug, Args)]
@@ -266,6 +286,18 @@ pub struct InspectArgs {
     pub format: Format,
     #[command(flatten)]
     pub define: DefineArgs,
+}
+
+#[derive(Debug, Args)]
+pub struct MediaListArgs {
+    #[command(flatten)]
+    pub media: MediaArgs,
+    /// Write the pictures that are shown for them into this folder, to look at
+    #[arg(long, value_name = "DIR")]
+    pub write: Option<PathBuf>,
+    /// How to write the list
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    pub format: Format,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -13,10 +13,11 @@ use vitrine::output;
 use vitrine::render::{Gpu, Watchdog};
 use vitrine::report;
 use vitrine::scene::Source;
-use vitrine::session::Session;
-use vitrine::translate::{Options, Output, Probe};
+use vitrine::session::{Session, Setup};
+use vitrine::translate::{Output, Probe};
 
 use super::findings::{checks, show_findings};
+use super::media::library;
 use super::opening::{adapter_choice, can_run, explain, gpu_failure, slow_frame, watchdog};
 use super::progress::Progress;
 use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
@@ -45,15 +46,20 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     if !can_run(&source, &options)? {
         return Ok(SCENE_HAS_PROBLEMS.into());
     }
+    let setup = Setup {
+        options,
+        library: library(&args.media)?,
+        ..Setup::default()
+    };
     let opening = Instant::now();
     let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;
     let driver = opening.elapsed();
     let watchdog = watchdog(&args.gpu);
     watchdog.begin();
     if job.out.is_exr() || wanted.rounds {
-        return export_layered(&gpu, &source, &options, &wanted, &job, &watchdog);
+        return export_layered(&gpu, &source, &setup, &wanted, &job, &watchdog);
     }
-    let session = match Session::open(&gpu, &source, &options) {
+    let session = match Session::open(&gpu, &source, &setup) {
         Ok(session) => session,
         Err(error) => return explain(error).map(Into::into),
     };
@@ -121,13 +127,13 @@ fn wanted(args: &ExportArgs, job: &Job) -> anyhow::Result<Wanted> {
 fn export_layered(
     gpu: &Gpu,
     source: &Source,
-    options: &Options,
+    setup: &Setup,
     wanted: &Wanted,
     job: &Job,
     watchdog: &Watchdog,
 ) -> anyhow::Result<ExitCode> {
     let started = Instant::now();
-    let mut layers = match Layers::open(gpu, source, options, wanted, job.size) {
+    let mut layers = match Layers::open(gpu, source, setup, wanted, job.size) {
         Ok(layers) => layers,
         Err(error) => return explain(error).map(Into::into),
     };

@@ -18,7 +18,7 @@ pub fn show_findings(gpu: &Gpu, session: &Session, findings: &mut Findings) -> a
         explain(error)?;
     }
     report::show(&findings.report(session));
-    if findings.is_empty() && session.options.checks == Checks::All {
+    if findings.is_empty() && session.setup.options.checks == Checks::All {
         report::tell("nothing undefined or suspicious was seen");
     }
     Ok(())

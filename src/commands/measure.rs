@@ -16,6 +16,7 @@ use vitrine::render::Gpu;
 use vitrine::report;
 use vitrine::scene::Source;
 
+use super::media::library;
 use super::opening::{adapter_choice, explain, gpu_failure, watchdog};
 use super::progress::Progress;
 use super::{SCENE_HAS_PROBLEMS, failure, unreadable, unwritable};
@@ -92,6 +93,7 @@ pub fn measure(args: MeasureArgs) -> anyhow::Result<ExitCode> {
         &study,
         Surroundings {
             gpu: &gpu,
+            library: library(&args.media)?,
             folder: &folder,
             progress: &mut |step| {
                 watchdog.begin();

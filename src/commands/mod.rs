@@ -10,6 +10,7 @@ mod findings;
 mod inspect;
 #[cfg(feature = "gpu")]
 mod measure;
+mod media;
 #[cfg(feature = "gpu")]
 mod opening;
 #[cfg(feature = "gpu")]
@@ -58,6 +59,7 @@ pub fn run(command: Command, started: Instant) -> anyhow::Result<ExitCode> {
         Command::Check(args) => check::check(args),
         Command::Translate(args) => translate::translate(args),
         Command::Inspect(args) => inspect::inspect(args),
+        Command::Media(args) => media::media(args),
         #[cfg(feature = "gpu")]
         Command::Doctor => doctor::doctor(),
     }

@@ -5,7 +5,7 @@ use std::time::Duration;
 use vitrine::render::{AdapterChoice, GpuError, Watchdog};
 use vitrine::report;
 use vitrine::scene::Source;
-use vitrine::session::{OpenError, require_drawable};
+use vitrine::session::OpenError;
 use vitrine::translate::{Options, translate};
 
 use super::{HOST_FAILED, SCENE_HAS_PROBLEMS, failure, loaded, unreadable};
@@ -21,10 +21,7 @@ pub fn adapter_choice(args: &GpuArgs) -> AdapterChoice {
 /// Whether a scene loads, translates and can be drawn; if not, its problems are printed. Asked before
 /// a driver is started and a window opened, which take far longer.
 pub fn can_run(source: &Source, options: &Options) -> anyhow::Result<bool> {
-    let ready = loaded(source)?.and_then(|scene| {
-        require_drawable(&scene)?;
-        translate(&scene, options)
-    });
+    let ready = loaded(source)?.and_then(|scene| translate(&scene, options));
     if let Err(report) = &ready {
         report::show(report);
     }

@@ -2,10 +2,12 @@ use std::process::ExitCode;
 
 use glam::UVec2;
 use vitrine::scene::Source;
+use vitrine::session::Setup;
 use vitrine::translate;
 use vitrine::window::{self, Options, PlayError};
 
 use super::findings::checks;
+use super::media::library;
 use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
 use super::{SCENE_HAS_PROBLEMS, failure, options, source};
 use crate::cli::RunArgs;
@@ -24,7 +26,11 @@ pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
     }
     let options = Options {
         source,
-        translate,
+        setup: Setup {
+            options: translate,
+            library: library(&args.media)?,
+            ..Setup::default()
+        },
         size: UVec2::new(args.size.width, args.size.height),
         scale: args.scale,
         fps_limit: args.fps_limit,

@@ -3,8 +3,10 @@ use std::process::ExitCode;
 use vitrine::measure::stability::{Examination, Verdict, cases, examine};
 use vitrine::render::Gpu;
 use vitrine::report;
+use vitrine::session::Setup;
 use vitrine::translate::{Checks, Options};
 
+use super::media::library;
 use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
 use super::progress::Progress;
 use super::{SCENE_HAS_PROBLEMS, options, print, source};
@@ -22,6 +24,11 @@ pub fn stability(args: StabilityArgs) -> anyhow::Result<ExitCode> {
     if !can_run(&source, &options)? {
         return Ok(SCENE_HAS_PROBLEMS.into());
     }
+    let setup = Setup {
+        options,
+        library: library(&args.media)?,
+        ..Setup::default()
+    };
     let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;
     if !gpu.has_float64() {
         report::tell("the adapter has no 64-bit floats, so that rounding is not looked at");
@@ -29,7 +36,7 @@ pub fn stability(args: StabilityArgs) -> anyhow::Result<ExitCode> {
     let watchdog = watchdog(&args.gpu);
     let cases = cases(&args.vary);
     let mut progress = Progress::new(cases.len() as u32, "cases");
-    let examination = examine(&gpu, &source, &options, &cases, &mut |done, next| {
+    let examination = examine(&gpu, &source, &setup, &cases, &mut |done, next| {
         watchdog.begin();
         progress.say(next);
         progress.at(done as u32);

@@ -10,7 +10,7 @@ use crate::frame::{FloatImage, FrameImage, FrameInput};
 use crate::output::{self, PngSink, WriteError};
 use crate::render::{Gpu, GpuError, Watchdog};
 use crate::scene::Source;
-use crate::session::{Findings, Moment, OpenError, Subject};
+use crate::session::{Findings, Moment, OpenError, Setup, Subject};
 use crate::source::Span;
 use crate::translate::{Checks, Options, Output, Probe};
 
@@ -57,20 +57,24 @@ impl Layers {
     pub fn open(
         gpu: &Gpu,
         source: &Source,
-        options: &Options,
+        setup: &Setup,
         wanted: &Wanted,
         size: UVec2,
     ) -> Result<Self, OpenError> {
         let open = |output: Output| -> Result<Subject, OpenError> {
             let options = Options {
                 checks: match output {
-                    Output::Colour => options.checks.clone(),
+                    Output::Colour => setup.options.checks.clone(),
                     _ => Checks::None,
                 },
                 output,
-                ..options.clone()
+                ..setup.options.clone()
             };
-            let mut subject = Subject::open(gpu, source, &options, size)?;
+            let setup = Setup {
+                options,
+                ..setup.clone()
+            };
+            let mut subject = Subject::open(gpu, source, &setup, size)?;
             subject.draw_in_bands(gpu);
             Ok(subject)
         };

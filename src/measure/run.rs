@@ -1,15 +1,17 @@
 //! Carries a study out: draws the reference and every variant, compares and times them.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
 use super::compare::{self, PictureError, ProbeError};
 use super::study::{ReferencePrecision, Study, Variant};
 use crate::frame::{Clock, FloatImage};
+use crate::media::Library;
 use crate::render::Gpu;
 use crate::scene::Source;
-use crate::session::{Drawn, OpenError, Subject};
+use crate::session::{Drawn, OpenError, Setup, Subject};
 use crate::translate::{Options, Output, Precision};
 
 /// What is known of a variant at one moment.
@@ -116,6 +118,8 @@ pub struct Progress<'a> {
 pub struct Surroundings<'a> {
     /// The device.
     pub gpu: &'a Gpu,
+    /// Where the files come from that channels read.
+    pub library: Arc<Library>,
     /// The folder that the study's paths begin at.
     pub folder: &'a Path,
     /// Told before each step, and before each scene that is opened and each frame that is drawn.
@@ -267,7 +271,12 @@ impl Run<'_, '_> {
         };
         let source = Source::Path(variant.scene.clone());
         self.tell();
-        Subject::open(self.around.gpu, &source, &options, self.study.size)
+        let setup = Setup {
+            options,
+            library: Arc::clone(&self.around.library),
+            ..Setup::default()
+        };
+        Subject::open(self.around.gpu, &source, &setup, self.study.size)
     }
 
     fn draw(&mut self, subject: &mut Subject, time: f64) -> Result<Drawn, OpenError> {

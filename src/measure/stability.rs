@@ -9,7 +9,7 @@ use super::compare;
 use crate::frame::{Clock, FloatImage, FrameInput};
 use crate::render::Gpu;
 use crate::scene::Source;
-use crate::session::{Drawn, Findings, Moment, OpenError, Subject};
+use crate::session::{Drawn, Findings, Moment, OpenError, Setup, Subject};
 use crate::source::{Diagnostic, Report};
 use crate::translate::{Checks, Options, Output, Precision};
 
@@ -214,7 +214,7 @@ pub struct Examination {
 pub fn examine(
     gpu: &Gpu,
     source: &Source,
-    options: &Options,
+    setup: &Setup,
     cases: &[Case],
     progress: &mut dyn FnMut(usize, &str),
 ) -> Result<Examination, OpenError> {
@@ -223,7 +223,7 @@ pub fn examine(
         case: (0, String::new()),
         gpu,
         source,
-        options,
+        setup,
         open: Vec::new(),
         findings: Vec::new(),
     };
@@ -249,7 +249,7 @@ struct Examined<'a> {
     case: (usize, String),
     gpu: &'a Gpu,
     source: &'a Source,
-    options: &'a Options,
+    setup: &'a Setup,
     open: Vec<(Way, Subject)>,
     /// What the sanitizer found under each set of macros.
     findings: Vec<(Way, Findings)>,
@@ -313,14 +313,18 @@ impl Examined<'_> {
             Some(index) => index,
             None => {
                 let options = Options {
-                    overrides: [&*self.options.overrides, &way.defines].concat(),
+                    overrides: [&*self.setup.options.overrides, &way.defines].concat(),
                     precision: way.precision,
                     output: way.output.clone(),
                     checks: way.checks.clone(),
                     round_budget: Some(ROUND_BUDGET),
-                    ..self.options.clone()
+                    ..self.setup.options.clone()
                 };
-                let subject = Subject::open(self.gpu, self.source, &options, way.size)?;
+                let setup = Setup {
+                    options,
+                    ..self.setup.clone()
+                };
+                let subject = Subject::open(self.gpu, self.source, &setup, way.size)?;
                 self.open.push((way.clone(), subject));
                 self.open.len() - 1
             }
@@ -344,7 +348,7 @@ impl Examined<'_> {
 
     /// Draws a case once more, watched; at how many places something went wrong.
     fn sanitize(&mut self, case: &Case) -> Result<Option<usize>, OpenError> {
-        if self.options.checks != Checks::All {
+        if self.setup.options.checks != Checks::All {
             return Ok(None);
         }
         let way = Way {

@@ -1,8 +1,18 @@
 //! What stands behind the inputs of a scene: pictures, cubemaps, volumes, sounds and films, from the user's files or from
 //! stand-ins for the site's.
 
+mod error;
+mod feed;
+mod inputs;
+mod library;
+mod picture;
 pub mod site;
 pub mod stand_in;
 mod texels;
+mod volume;
 
+pub use error::MediaError;
+pub use feed::Feed;
+pub use inputs::{Content, Inputs};
+pub use library::{Entry, Library, Origin, StandIns, site_item};
 pub use texels::{Format, Texels};

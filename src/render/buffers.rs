@@ -6,15 +6,78 @@ use glam::UVec2;
 use super::gpu::{Gpu, GpuError};
 use super::mipmap::Mipmaps;
 use super::pass::GpuPass;
-use crate::scene::{BufferLetter, Filter};
+use crate::scene::{BufferLetter, Filter, Input, PassKind};
+
+/// Width and height of the faces of the cubemap that a pass draws, in texels.
+pub(super) const CUBE_SIDE: u32 = 1024;
+
+/// What a pass draws for other passes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Surface {
+    Buffer(BufferLetter),
+    Cube,
+}
+
+impl Surface {
+    const ALL: [Surface; 5] = [
+        Surface::Buffer(BufferLetter::A),
+        Surface::Buffer(BufferLetter::B),
+        Surface::Buffer(BufferLetter::C),
+        Surface::Buffer(BufferLetter::D),
+        Surface::Cube,
+    ];
+
+    /// What passes of this kind draw, if it is for others.
+    pub fn drawn_by(kind: PassKind) -> Option<Self> {
+        match kind {
+            PassKind::Buffer(letter) => Some(Surface::Buffer(letter)),
+            PassKind::Cube => Some(Surface::Cube),
+            PassKind::Image | PassKind::Sound => None,
+        }
+    }
+
+    /// What an input reads, if a pass draws it.
+    pub fn read_by(input: &Input) -> Option<Self> {
+        Surface::drawn_by(input.pass()?)
+    }
+
+    fn index(self) -> usize {
+        match self {
+            Surface::Buffer(letter) => letter.index(),
+            Surface::Cube => 4,
+        }
+    }
+
+    pub fn faces(self) -> u32 {
+        match self {
+            Surface::Buffer(_) => 1,
+            Surface::Cube => 6,
+        }
+    }
+
+    /// Width and height beside a picture of that size.
+    pub fn size(self, picture: UVec2) -> UVec2 {
+        match self {
+            Surface::Buffer(_) => picture,
+            Surface::Cube => UVec2::splat(CUBE_SIDE),
+        }
+    }
+
+    pub fn format(self, gpu: &Gpu) -> wgpu::TextureFormat {
+        match self {
+            Surface::Buffer(_) => gpu.buffer_format(),
+            Surface::Cube => wgpu::TextureFormat::Rgba16Float,
+        }
+    }
+}
 
 /// The buffers of a scene in pictures of one size, and how many frames they have seen.
 #[derive(Debug)]
 pub struct Buffers {
     size: UVec2,
-    pairs: [Option<Pair>; BufferLetter::ALL.len()],
-    /// What is bound for each pass that reads a buffer, in even frames and in odd ones.
-    groups: Vec<Option<[wgpu::BindGroup; 2]>>,
+    pairs: [Option<Pair>; Surface::ALL.len()],
+    /// What is bound for each pass that reads one, in even frames and in odd ones, for each face that it draws.
+    groups: Vec<Option<[Vec<wgpu::BindGroup>; 2]>>,
     frames: u32,
 }
 
@@ -29,41 +92,63 @@ struct Half {
     texture: wgpu::Texture,
     /// All levels.
     whole: wgpu::TextureView,
-    /// Each level by itself.
-    levels: Vec<wgpu::TextureView>,
+    /// The largest level.
+    largest: wgpu::TextureView,
+    /// Each level of each face by itself.
+    faces: Vec<Vec<wgpu::TextureView>>,
 }
 
 impl Half {
-    fn new(gpu: &Gpu, size: UVec2, levels: u32) -> Self {
+    fn new(gpu: &Gpu, surface: Surface, picture: UVec2, levels: u32) -> Self {
+        let size = surface.size(picture);
         let texture = gpu.device().create_texture(&wgpu::TextureDescriptor {
             label: Some("buffer"),
-            size: wgpu::Extent3d {
-                width: size.x,
-                height: size.y,
-                depth_or_array_layers: 1,
-            },
+            size: extent(surface, size),
             mip_level_count: levels,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: gpu.buffer_format(),
+            format: surface.format(gpu),
             usage: wgpu::TextureUsages::RENDER_ATTACHMENT
                 | wgpu::TextureUsages::TEXTURE_BINDING
                 | wgpu::TextureUsages::COPY_SRC
                 | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         });
-        let view = |level: Option<u32>| {
+        let seen = |levels: Option<u32>| {
             texture.create_view(&wgpu::TextureViewDescriptor {
-                base_mip_level: level.unwrap_or(0),
-                mip_level_count: level.map(|_| 1),
+                dimension: Some(match surface {
+                    Surface::Buffer(_) => wgpu::TextureViewDimension::D2,
+                    Surface::Cube => wgpu::TextureViewDimension::Cube,
+                }),
+                mip_level_count: levels,
                 ..Default::default()
             })
         };
+        let drawn = |face: u32, level: u32| {
+            texture.create_view(&wgpu::TextureViewDescriptor {
+                dimension: Some(wgpu::TextureViewDimension::D2),
+                base_array_layer: face,
+                array_layer_count: Some(1),
+                base_mip_level: level,
+                mip_level_count: Some(1),
+                ..Default::default()
+            })
+        };
+        let levels_of = |face| (0..levels).map(|level| drawn(face, level)).collect();
         Half {
-            whole: view(None),
-            levels: (0..levels).map(|level| view(Some(level))).collect(),
+            whole: seen(None),
+            largest: seen(Some(1)),
+            faces: (0..surface.faces()).map(levels_of).collect(),
             texture,
         }
+    }
+}
+
+fn extent(surface: Surface, size: UVec2) -> wgpu::Extent3d {
+    wgpu::Extent3d {
+        width: size.x,
+        height: size.y,
+        depth_or_array_layers: surface.faces(),
     }
 }
 
@@ -76,18 +161,18 @@ impl Buffers {
         }
         gpu.guarded("making the buffers", || {
             let reads = || passes.iter().flat_map(GpuPass::reads);
-            let pairs = BufferLetter::ALL.map(|letter| {
-                let is_drawn = passes.iter().any(|pass| pass.draws() == Some(letter));
-                let mut readers = reads().filter(|(read, _)| *read == letter).peekable();
+            let pairs = Surface::ALL.map(|surface| {
+                let is_drawn = passes.iter().any(|pass| pass.draws() == Some(surface));
+                let mut readers = reads().filter(|(read, _)| *read == surface).peekable();
                 if !is_drawn && readers.peek().is_none() {
                     return None;
                 }
                 let is_shrunk = readers.any(|(_, filter)| filter == Filter::Mipmap);
                 let levels = match is_shrunk {
-                    true => size.max_element().ilog2() + 1,
+                    true => surface.size(size).max_element().ilog2() + 1,
                     false => 1,
                 };
-                let halves = [(); 2].map(|()| Half::new(gpu, size, levels));
+                let halves = [(); 2].map(|()| Half::new(gpu, surface, size, levels));
                 Some(Pair { halves })
             });
             let mut buffers = Buffers {
@@ -103,7 +188,7 @@ impl Buffers {
                     pass.reads().next()?;
                     Some([0, 1].map(|parity| {
                         let view =
-                            |letter, filter| buffers.view(passes, letter, filter, place, parity);
+                            |surface, filter| buffers.view(passes, surface, filter, place, parity);
                         pass.bind(gpu, &view)
                     }))
                 })
@@ -116,34 +201,34 @@ impl Buffers {
     fn view(
         &self,
         passes: &[GpuPass],
-        letter: BufferLetter,
+        surface: Surface,
         filter: Filter,
         place: usize,
         parity: usize,
     ) -> &wgpu::TextureView {
-        let writer = passes.iter().position(|pass| pass.draws() == Some(letter));
+        let writer = passes.iter().position(|pass| pass.draws() == Some(surface));
         let is_fresh = writer.is_some_and(|writer| writer < place);
-        let pair = self.pairs[letter.index()].as_ref();
+        let pair = self.pairs[surface.index()].as_ref();
         let half = &pair.expect("what is read is there").halves[parity ^ usize::from(is_fresh)];
         match filter {
             Filter::Mipmap => &half.whole,
-            Filter::Nearest | Filter::Linear => &half.levels[0],
+            Filter::Nearest | Filter::Linear => &half.largest,
         }
     }
 
     /// What is bound for a pass in the frame that is being drawn, if it reads a buffer.
-    pub(super) fn group(&self, place: usize) -> Option<&wgpu::BindGroup> {
+    pub(super) fn group(&self, place: usize, face: usize) -> Option<&wgpu::BindGroup> {
         let groups = self.groups[place].as_ref()?;
-        Some(&groups[self.frames as usize % 2])
+        Some(&groups[self.frames as usize % 2][face])
     }
 
     /// What a pass draws into in the frame that is being drawn.
-    pub(super) fn target(&self, letter: BufferLetter) -> &wgpu::TextureView {
-        &self.drawn(letter).levels[0]
+    pub(super) fn target(&self, surface: Surface, face: usize) -> &wgpu::TextureView {
+        &self.drawn(surface).faces[face][0]
     }
 
-    fn drawn(&self, letter: BufferLetter) -> &Half {
-        let pair = self.pairs[letter.index()].as_ref();
+    fn drawn(&self, surface: Surface) -> &Half {
+        let pair = self.pairs[surface.index()].as_ref();
         &pair.expect("what is drawn is there").halves[1 - self.frames as usize % 2]
     }
 
@@ -153,11 +238,13 @@ impl Buffers {
         gpu: &Gpu,
         mipmaps: &Mipmaps,
         encoder: &mut wgpu::CommandEncoder,
-        letter: BufferLetter,
+        surface: Surface,
     ) {
-        let levels = &self.drawn(letter).levels;
-        for pair in levels.windows(2) {
-            mipmaps.shrink(gpu, encoder, &pair[0], &pair[1]);
+        let format = surface.format(gpu);
+        for levels in &self.drawn(surface).faces {
+            for pair in levels.windows(2) {
+                mipmaps.shrink(gpu, encoder, format, &pair[0], &pair[1]);
+            }
         }
     }
 
@@ -173,8 +260,8 @@ impl Buffers {
         }
         self.frames = 0;
         let pairs = self.pairs.iter().flatten();
-        let levels = pairs.flat_map(|pair| pair.halves.iter().flat_map(|half| &half.levels));
-        for view in levels {
+        let halves = pairs.flat_map(|pair| &pair.halves);
+        for view in halves.flat_map(|half| half.faces.iter().flatten()) {
             encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                     view,
@@ -192,22 +279,19 @@ impl Buffers {
 
     /// Takes over what others hold, as far as it fits: the lower left of both.
     pub(super) fn take_over(&mut self, gpu: &Gpu, old: &Buffers) {
-        let size = self.size.min(old.size);
+        let picture = self.size.min(old.size);
         let descriptor = wgpu::CommandEncoderDescriptor { label: None };
         let mut encoder = gpu.device().create_command_encoder(&descriptor);
-        for (own, other) in self.pairs.iter().zip(&old.pairs) {
-            let (Some(own), Some(other)) = (own, other) else {
+        for surface in Surface::ALL {
+            let index = surface.index();
+            let (Some(own), Some(other)) = (&self.pairs[index], &old.pairs[index]) else {
                 continue;
             };
             for (own, other) in own.halves.iter().zip(&other.halves) {
                 encoder.copy_texture_to_texture(
                     other.texture.as_image_copy(),
                     own.texture.as_image_copy(),
-                    wgpu::Extent3d {
-                        width: size.x,
-                        height: size.y,
-                        depth_or_array_layers: 1,
-                    },
+                    extent(surface, surface.size(picture)),
                 );
             }
         }

@@ -228,11 +228,16 @@ impl Gpu {
 
     /// What buffer passes draw: floats of 32 bits, or of 16 where those cannot be read between texels.
     pub(super) fn buffer_format(&self) -> wgpu::TextureFormat {
-        let features = self.device.features();
-        match features.contains(wgpu::Features::FLOAT32_FILTERABLE) {
+        match self.filters_floats() {
             true => wgpu::TextureFormat::Rgba32Float,
             false => wgpu::TextureFormat::Rgba16Float,
         }
+    }
+
+    /// Whether textures of 32-bit floats can be read between texels.
+    pub(super) fn filters_floats(&self) -> bool {
+        let features = self.device.features();
+        features.contains(wgpu::Features::FLOAT32_FILTERABLE)
     }
 
     /// Whether shaders can write to buffers, and so note what goes wrong in them.

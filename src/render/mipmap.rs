@@ -6,12 +6,13 @@ use super::pass::{full_screen_pass, full_screen_pipeline};
 /// Makes smaller levels of buffers.
 #[derive(Debug)]
 pub(super) struct Mipmaps {
-    pipeline: wgpu::RenderPipeline,
+    /// One for each format of what is shrunk.
+    pipelines: Vec<(wgpu::TextureFormat, wgpu::RenderPipeline)>,
     layout: wgpu::BindGroupLayout,
 }
 
 impl Mipmaps {
-    pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
+    pub fn new(gpu: &Gpu, formats: &[wgpu::TextureFormat]) -> Result<Self, GpuError> {
         let device = gpu.device();
         gpu.guarded("compiling the making of smaller levels", || {
             let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -28,9 +29,15 @@ impl Mipmaps {
                 }],
             });
             let fragment = device.create_shader_module(wgpu::include_wgsl!("mipmap.wgsl"));
-            let format = gpu.buffer_format();
-            let pipeline = full_screen_pipeline(gpu, Some(&layout), &fragment, "shrink", format);
-            Mipmaps { pipeline, layout }
+            let pipeline = |&format: &wgpu::TextureFormat| {
+                let pipeline =
+                    full_screen_pipeline(gpu, Some(&layout), &fragment, "shrink", format);
+                (format, pipeline)
+            };
+            Mipmaps {
+                pipelines: formats.iter().map(pipeline).collect(),
+                layout,
+            }
         })
     }
 
@@ -39,6 +46,7 @@ impl Mipmaps {
         &self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
+        format: wgpu::TextureFormat,
         above: &wgpu::TextureView,
         level: &wgpu::TextureView,
     ) {
@@ -50,6 +58,10 @@ impl Mipmaps {
                 resource: wgpu::BindingResource::TextureView(above),
             }],
         });
-        full_screen_pass(encoder, level, &self.pipeline, Some(&group), None);
+        let mut pipelines = self.pipelines.iter();
+        let (_, pipeline) = pipelines
+            .find(|(other, _)| *other == format)
+            .expect("made for what is shrunk");
+        full_screen_pass(encoder, level, pipeline, Some(&group), None);
     }
 }

@@ -16,6 +16,8 @@ mod pass;
 mod present;
 mod read_back;
 mod target;
+mod texture;
+mod uniforms;
 mod watchdog;
 
 pub use gpu::{AdapterChoice, AdapterSummary, Gpu, GpuError, adapters};
@@ -27,15 +29,25 @@ pub use read_back::{Extras, ReadBack, Slot, Transferred};
 pub use target::{Format, Target};
 pub use watchdog::Watchdog;
 
+use std::sync::Mutex;
 use std::time::Instant;
 
-use buffers::Buffers;
+use buffers::{Buffers, Surface};
 use glam::UVec2;
 use mipmap::Mipmaps;
+use texture::Textures;
+use uniforms::Part;
 
 use crate::frame::FrameInput;
-use crate::scene::{Filter, Scene};
+use crate::media::Inputs;
+use crate::scene::{Filter, PassKind, Scene};
 use crate::translate::Program;
+
+/// Width and height of the pictures whose pixels are the samples of a sound, row by row from the bottom.
+pub const SOUND_SIDE: u32 = 512;
+
+/// The samples of such a picture.
+pub const SOUND_BLOCK: u32 = SOUND_SIDE * SOUND_SIDE;
 
 /// What has been handed to the device together.
 #[derive(Debug)]
@@ -63,37 +75,47 @@ pub struct Renderer {
     format: Format,
     /// For buffers that are read where they are shrunk.
     mipmaps: Option<Mipmaps>,
+    /// Those of them that change are written before each frame.
+    textures: Mutex<Textures>,
 }
 
 impl Renderer {
     /// Builds everything that the programs use, and nothing else. `programs` are the translations of
-    /// `scene`'s passes, in their order. The picture has this format.
+    /// `scene`'s passes, and `inputs` what they read, in their order. The picture has this format.
     ///
     /// The driver compiles here; some drivers finish only during the first frame.
     pub fn new(
         gpu: &Gpu,
         scene: &Scene,
         programs: &[Program],
+        inputs: &Inputs,
         format: Format,
     ) -> Result<Self, GpuError> {
-        let passes = scene
-            .passes
-            .iter()
-            .zip(programs)
-            .map(|(pass, program)| pass::GpuPass::new(gpu, pass, program, format))
-            .collect::<Result<Vec<_>, _>>()?;
-        let is_shrunk = passes
-            .iter()
-            .flat_map(pass::GpuPass::reads)
-            .any(|(_, filter)| filter == Filter::Mipmap);
-        let mipmaps = match is_shrunk {
-            true => Some(Mipmaps::new(gpu)?),
-            false => None,
+        let mut textures = Textures::default();
+        let mut passes = Vec::new();
+        for (place, (pass, program)) in scene.passes.iter().zip(programs).enumerate() {
+            let drawn = Surface::drawn_by(pass.kind);
+            let format = drawn.map_or(format.texture(), |surface| surface.format(gpu));
+            let pass =
+                pass::GpuPass::new(gpu, pass, program, format, place, inputs, &mut textures)?;
+            passes.push(pass);
+        }
+        let mut shrunk = Vec::new();
+        for (surface, filter) in passes.iter().flat_map(pass::GpuPass::reads) {
+            let format = surface.format(gpu);
+            if filter == Filter::Mipmap && !shrunk.contains(&format) {
+                shrunk.push(format);
+            }
+        }
+        let mipmaps = match shrunk.is_empty() {
+            false => Some(Mipmaps::new(gpu, &shrunk)?),
+            true => None,
         };
         Ok(Renderer {
             passes,
             format,
             mipmaps,
+            textures: Mutex::new(textures),
         })
     }
 
@@ -116,15 +138,15 @@ impl Renderer {
     /// Whether a frame depends on the one before: some pass reads what a buffer held then.
     pub fn feeds_back(&self) -> bool {
         self.passes.iter().enumerate().any(|(place, pass)| {
-            pass.reads().any(|(letter, _)| {
-                let is_drawn = |pass: &pass::GpuPass| pass.draws() == Some(letter);
+            pass.reads().any(|(surface, _)| {
+                let is_drawn = |pass: &pass::GpuPass| pass.draws() == Some(surface);
                 let writer = self.passes.iter().position(is_drawn);
                 writer.is_some_and(|writer| writer >= place)
             })
         })
     }
 
-    /// Records the drawing of one frame and submits it, followed by a copy into `slot` if one is given. With
+    /// Records the drawing of one frame, or of a sound's block with the number `iFrame`, and submits it, followed by a copy into `slot` if one is given. With
     /// `iFrame` 0 time begins anew: buffers are cleared.
     pub fn render(
         &self,
@@ -167,14 +189,28 @@ impl Renderer {
         (self.submit(gpu, encoder, canvas, slot), next)
     }
 
-    /// How many rows a band has that begins here, of so many at most.
+    /// How many rows a band has that begins here, of so many at most. It ends where a face of a cubemap does.
     pub fn rows_from(&self, canvas: &Canvas, from: Cursor, most: u32) -> u32 {
-        most.min(canvas.target.size().y - from.row)
+        let height = self.size_of(canvas, from).y;
+        most.min(height - from.row % height)
     }
 
     /// Whether a band of so many rows that begins here is a frame's last.
     pub fn is_last_band(&self, canvas: &Canvas, from: Cursor, rows: u32) -> bool {
-        from.pass + 1 == self.passes.len() && from.row + rows >= canvas.target.size().y
+        from.pass + 1 == self.passes.len() && from.row + rows >= self.rows_of(canvas, from)
+    }
+
+    /// Width and height of what the pass draws, of one face of a cubemap.
+    fn size_of(&self, canvas: &Canvas, cursor: Cursor) -> UVec2 {
+        let picture = canvas.target.size();
+        let drawn = self.passes[cursor.pass].draws();
+        drawn.map_or(picture, |surface| surface.size(picture))
+    }
+
+    /// The rows of all its faces.
+    fn rows_of(&self, canvas: &Canvas, cursor: Cursor) -> u32 {
+        let drawn = self.passes[cursor.pass].draws();
+        self.size_of(canvas, cursor).y * drawn.map_or(1, Surface::faces)
     }
 
     #[expect(clippy::too_many_arguments, reason = "a band has this many sides")]
@@ -191,11 +227,13 @@ impl Renderer {
         let UVec2 {
             x: width,
             y: height,
-        } = canvas.target.size();
-        let end = from.row + self.rows_from(canvas, from, rows);
+        } = self.size_of(canvas, from);
+        let rows = self.rows_from(canvas, from, rows);
         let is_first = from == Cursor::default();
-        let is_last = self.is_last_band(canvas, from, end - from.row);
+        let is_last = self.is_last_band(canvas, from, rows);
         if is_first {
+            let mut textures = self.textures.lock().expect("no holder panics");
+            textures.advance(gpu, input.time);
             for buffer in self.findings() {
                 encoder.clear_buffer(buffer, 0, None);
             }
@@ -204,23 +242,33 @@ impl Renderer {
             }
         }
         let pass = &self.passes[from.pass];
+        let (face, row) = (from.row / height, from.row % height);
+        let part = match pass.kind() {
+            PassKind::Cube => Part::Face(face),
+            // The frames of a sound are its blocks.
+            PassKind::Sound => Part::Block(input.frame.unsigned_abs() * SOUND_BLOCK),
+            PassKind::Image | PassKind::Buffer(_) => Part::Whole,
+        };
         let band = pass::Band {
+            part,
             width,
-            rows: from.row..end,
+            rows: row..row + rows,
             keeps: pass.draws().is_some(),
             timestamps: slot.and_then(|slot| slot.timestamps(is_first, is_last)),
         };
         let buffers = &canvas.buffers;
         let view = match pass.draws() {
-            Some(letter) => buffers.target(letter),
+            Some(surface) => buffers.target(surface, face as usize),
             None => canvas.target.view(),
         };
-        pass.draw(gpu, input, encoder, view, buffers.group(from.pass), band);
-        if end < height {
+        let group = buffers.group(from.pass, face as usize);
+        pass.draw(gpu, input, encoder, view, group, band);
+        let end = from.row + rows;
+        if end < self.rows_of(canvas, from) {
             return Some(Cursor { row: end, ..from });
         }
-        if let (Some(letter), Some(mipmaps)) = (pass.draws(), &self.mipmaps) {
-            buffers.shrink(gpu, mipmaps, encoder, letter);
+        if let (Some(surface), Some(mipmaps)) = (pass.draws(), &self.mipmaps) {
+            buffers.shrink(gpu, mipmaps, encoder, surface);
         }
         if !is_last {
             return Some(Cursor {

@@ -1,17 +1,17 @@
 use std::ops::Range;
 
-use glam::Vec3;
-
-use super::channel;
+use super::buffers::Surface;
 use super::gpu::{Gpu, GpuError};
-use super::target::Format;
-use crate::frame::{FrameInput, SAMPLE_RATE};
-use crate::scene::{BufferLetter, CHANNELS, Channel, Filter, Input, Pass, PassKind};
-use crate::translate::bindings::{self, Uniform};
-use crate::translate::{Program, Tables, UniformBlock};
-
-/// std140's stride of array elements, in bytes.
-const ARRAY_STRIDE: usize = 16;
+use super::texture::{self, Textures};
+use super::{
+    channel,
+    uniforms::{Part, Uniforms},
+};
+use crate::frame::FrameInput;
+use crate::media::Inputs;
+use crate::scene::{CHANNELS, Filter, Input, Pass, PassKind, SamplerKind};
+use crate::translate::bindings;
+use crate::translate::{Program, Tables};
 
 /// What is bound for one pass.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,8 +27,8 @@ pub(super) struct GpuPass {
     pipeline: wgpu::RenderPipeline,
     layout: PassLayout,
     group_layout: Option<wgpu::BindGroupLayout>,
-    /// What is bound, if it is the same in every frame.
-    bind_group: Option<wgpu::BindGroup>,
+    /// What is bound for each face, if it is the same in every frame.
+    bind_groups: Vec<wgpu::BindGroup>,
     uniforms: Option<Uniforms>,
     tables: Option<wgpu::Buffer>,
     /// Where the pass notes its findings.
@@ -47,21 +47,24 @@ struct BoundChannel {
 enum BoundTexture {
     /// One that does not change.
     Fixed(wgpu::TextureView),
-    /// What a buffer holds.
-    Buffer(BufferLetter, Filter),
+    /// What a pass draws.
+    Drawn(Surface, Filter),
     /// The keys, which each frame brings anew.
     Keyboard(wgpu::Texture, wgpu::TextureView),
 }
 
-/// Where what a buffer holds can be seen, if it is read so.
-pub(super) type BufferView<'v> = dyn Fn(BufferLetter, Filter) -> &'v wgpu::TextureView + 'v;
+/// Where what a pass draws can be seen, if it is read so.
+pub(super) type SurfaceView<'v> = dyn Fn(Surface, Filter) -> &'v wgpu::TextureView + 'v;
 
 impl GpuPass {
     pub fn new(
         gpu: &Gpu,
         pass: &Pass,
         program: &Program,
-        format: Format,
+        format: wgpu::TextureFormat,
+        place: usize,
+        inputs: &Inputs,
+        textures: &mut Textures,
     ) -> Result<Self, GpuError> {
         let device = gpu.device();
         if program.is_double() && !gpu.has_float64() {
@@ -72,32 +75,34 @@ impl GpuPass {
             let adapter = gpu.describe();
             return Err(GpuError::NoFindings { adapter });
         }
-        let layout = layout(program);
+        let layout = layout(pass, program);
+        let content = |channel| inputs.of(place, channel);
         let uniforms = program
             .uniforms
             .as_ref()
-            .map(|block| Uniforms::new(gpu, block, pass));
+            .map(|block| Uniforms::new(gpu, block, pass, &content));
         let mut channels: [BoundChannel; CHANNELS] = Default::default();
         for (index, usage) in program.channels.iter().enumerate() {
             let bound = pass.channels[index].as_ref();
             if usage.texture {
-                channels[index].texture = Some(match bound {
-                    Some(Channel {
-                        input: Input::Buffer(letter),
-                        sampling,
-                    }) => BoundTexture::Buffer(*letter, sampling.filter),
-                    Some(Channel {
-                        input: Input::Keyboard,
-                        ..
-                    }) => {
+                let input = bound.map(|channel| &channel.input);
+                channels[index].texture = Some(match (bound, content(index)) {
+                    (Some(channel), Some(content)) => {
+                        BoundTexture::Fixed(textures.view(gpu, channel, content)?)
+                    }
+                    (Some(channel), None)
+                        if let Some(surface) = Surface::read_by(&channel.input) =>
+                    {
+                        BoundTexture::Drawn(surface, channel.sampling.filter)
+                    }
+                    _ if input == Some(&Input::Keyboard) => {
                         let texture = channel::keyboard(gpu)?;
                         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
                         BoundTexture::Keyboard(texture, view)
                     }
                     _ => {
-                        let texture = channel::texture(gpu, bound)?;
-                        let whole = wgpu::TextureViewDescriptor::default();
-                        BoundTexture::Fixed(texture.create_view(&whole))
+                        let kind = input.map_or(SamplerKind::TwoD, Input::sampler);
+                        BoundTexture::Fixed(texture::unbound(gpu, kind)?)
                     }
                 });
             }
@@ -107,10 +112,6 @@ impl GpuPass {
         }
         let tables = program.tables.as_ref().map(|tables| upload(gpu, tables));
         let findings = program.findings.map(|words| findings(gpu, words));
-        let format = match pass.kind {
-            PassKind::Buffer(_) => gpu.buffer_format(),
-            _ => format.texture(),
-        };
         let (group_layout, pipeline) = gpu.guarded("compiling the shader", || {
             let group_layout = (!layout.entries.is_empty()).then(|| {
                 device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -133,28 +134,35 @@ impl GpuPass {
             pipeline,
             layout,
             group_layout,
-            bind_group: None,
+            bind_groups: Vec::new(),
             uniforms,
             tables,
             findings,
             channels,
         };
         if pass.group_layout.is_some() && pass.reads().next().is_none() {
-            let none = |_, _| unreachable!("no buffer is read");
-            let group = gpu.guarded("binding what the shader reads", || pass.bind(gpu, &none))?;
-            pass.bind_group = Some(group);
+            let none = |_, _| unreachable!("nothing that is drawn is read");
+            pass.bind_groups =
+                gpu.guarded("binding what the shader reads", || pass.bind(gpu, &none))?;
         }
         Ok(pass)
     }
 
-    /// A bind group of all that the pass uses. Call it within [`Gpu::guarded`].
-    pub fn bind(&self, gpu: &Gpu, buffer: &BufferView<'_>) -> wgpu::BindGroup {
+    /// A bind group of all that the pass uses, for each face that it draws. Call it within [`Gpu::guarded`].
+    pub fn bind(&self, gpu: &Gpu, surface: &SurfaceView<'_>) -> Vec<wgpu::BindGroup> {
+        let faces = 0..self.draws().map_or(1, Surface::faces);
+        faces
+            .map(|face| self.bind_face(gpu, surface, face))
+            .collect()
+    }
+
+    fn bind_face(&self, gpu: &Gpu, surface: &SurfaceView<'_>, face: u32) -> wgpu::BindGroup {
         let mut entries = Vec::new();
         let mut bind = |binding, resource| {
             entries.push(wgpu::BindGroupEntry { binding, resource });
         };
         if let Some(uniforms) = &self.uniforms {
-            bind(bindings::UNIFORMS, uniforms.buffer.as_entire_binding());
+            bind(bindings::UNIFORMS, uniforms.binding(face));
         }
         if let Some(tables) = &self.tables {
             bind(bindings::TABLES, tables.as_entire_binding());
@@ -166,7 +174,7 @@ impl GpuPass {
             if let Some(texture) = &channel.texture {
                 let view = match texture {
                     BoundTexture::Fixed(view) | BoundTexture::Keyboard(_, view) => view,
-                    BoundTexture::Buffer(letter, filter) => buffer(*letter, *filter),
+                    BoundTexture::Drawn(drawn, filter) => surface(*drawn, *filter),
                 };
                 let resource = wgpu::BindingResource::TextureView(view);
                 bind(bindings::texture(index), resource);
@@ -191,25 +199,27 @@ impl GpuPass {
         self.findings.as_ref()
     }
 
-    /// The buffer that the pass draws, if it draws one.
-    pub fn draws(&self) -> Option<BufferLetter> {
-        match self.kind {
-            PassKind::Buffer(letter) => Some(letter),
-            _ => None,
-        }
+    pub fn kind(&self) -> PassKind {
+        self.kind
     }
 
-    /// The buffers that the pass reads, and how.
-    pub fn reads(&self) -> impl Iterator<Item = (BufferLetter, Filter)> {
+    /// What the pass draws for others, if it does.
+    pub fn draws(&self) -> Option<Surface> {
+        Surface::drawn_by(self.kind)
+    }
+
+    /// What the pass reads of what passes draw, and how.
+    pub fn reads(&self) -> impl Iterator<Item = (Surface, Filter)> {
         self.channels
             .iter()
             .filter_map(|channel| match channel.texture {
-                Some(BoundTexture::Buffer(letter, filter)) => Some((letter, filter)),
+                Some(BoundTexture::Drawn(surface, filter)) => Some((surface, filter)),
                 _ => None,
             })
     }
 
-    /// Records the drawing of a band of one frame. `group` is bound if it is not the same in every frame.
+    /// Records the drawing of a band of one frame, or of a part of something else. `group` is bound if it is not the same in
+    /// every frame.
     pub fn draw(
         &self,
         gpu: &Gpu,
@@ -220,14 +230,14 @@ impl GpuPass {
         band: Band<'_>,
     ) {
         if let Some(uniforms) = &self.uniforms {
-            uniforms.upload(gpu, input);
+            uniforms.upload(gpu, input, band.part);
         }
         for channel in &self.channels {
             if let Some(BoundTexture::Keyboard(texture, _)) = &channel.texture {
                 channel::press(gpu, texture, &input.keyboard);
             }
         }
-        let group = group.or(self.bind_group.as_ref());
+        let group = group.or(self.bind_groups.get(band.part.face() as usize));
         full_screen_pass(encoder, view, &self.pipeline, group, Some(band));
     }
 }
@@ -329,6 +339,7 @@ pub(super) fn full_screen_pipeline(
 pub(super) struct Band<'t> {
     pub width: u32,
     pub rows: Range<u32>,
+    pub part: Part,
     /// Whether what was there before stays where nothing is drawn: a buffer shows it there, a picture black.
     pub keeps: bool,
     pub timestamps: Option<wgpu::RenderPassTimestampWrites<'t>>,
@@ -373,7 +384,7 @@ pub(super) fn full_screen_pass(
     pass.draw(0..3, 0..1);
 }
 
-fn layout(program: &Program) -> PassLayout {
+fn layout(pass: &Pass, program: &Program) -> PassLayout {
     let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
         binding,
         visibility: wgpu::ShaderStages::FRAGMENT,
@@ -416,11 +427,13 @@ fn layout(program: &Program) -> PassLayout {
     }
     for (index, usage) in program.channels.iter().enumerate() {
         if usage.texture {
+            let bound = pass.channels[index].as_ref();
+            let kind = bound.map_or(SamplerKind::TwoD, |channel| channel.input.sampler());
             entries.push(entry(
                 bindings::texture(index),
                 wgpu::BindingType::Texture {
                     sample_type: wgpu::TextureSampleType::Float { filterable: true },
-                    view_dimension: wgpu::TextureViewDimension::D2,
+                    view_dimension: texture::dimension(kind),
                     multisampled: false,
                 },
             ));
@@ -433,74 +446,4 @@ fn layout(program: &Program) -> PassLayout {
         }
     }
     PassLayout { entries }
-}
-
-/// A pass's uniform block, and what of it does not change.
-#[derive(Debug)]
-struct Uniforms {
-    buffer: wgpu::Buffer,
-    block: UniformBlock,
-    /// `None` is the picture's size.
-    channel_resolution: [Option<Vec3>; CHANNELS],
-}
-
-impl Uniforms {
-    fn new(gpu: &Gpu, block: &UniformBlock, pass: &Pass) -> Self {
-        Uniforms {
-            buffer: gpu.device().create_buffer(&wgpu::BufferDescriptor {
-                label: Some("uniforms"),
-                size: u64::from(block.size),
-                usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            }),
-            block: block.clone(),
-            channel_resolution: pass
-                .channels
-                .each_ref()
-                .map(|bound| channel::resolution(bound.as_ref())),
-        }
-    }
-
-    fn upload(&self, gpu: &Gpu, input: &FrameInput) {
-        let size = std::num::NonZeroU64::new(u64::from(self.block.size));
-        let view = size.and_then(|size| gpu.queue().write_buffer_with(&self.buffer, 0, size));
-        // Without a view the device is lost, which `Gpu::check` tells.
-        if let Some(mut view) = view {
-            let mut bytes = [0; bindings::BLOCK_SIZE as usize];
-            let bytes = &mut bytes[..self.block.size as usize];
-            self.pack(input, bytes);
-            view.copy_from_slice(bytes);
-        }
-    }
-
-    /// Writes the members that the pass reads at their places; the rest of the block is left alone.
-    fn pack(&self, input: &FrameInput, bytes: &mut [u8]) {
-        for &(uniform, offset) in &self.block.members {
-            let mut put = |at: usize, value: &[u8]| {
-                let start = offset as usize + at;
-                bytes[start..start + value.len()].copy_from_slice(value);
-            };
-            match uniform {
-                Uniform::Resolution => {
-                    let size = input.resolution.as_vec2().extend(1.0);
-                    put(0, bytemuck::bytes_of(&size));
-                }
-                Uniform::Time => put(0, bytemuck::bytes_of(&input.time)),
-                Uniform::TimeDelta => put(0, bytemuck::bytes_of(&input.time_delta)),
-                Uniform::FrameRate => put(0, bytemuck::bytes_of(&input.frame_rate)),
-                Uniform::Frame => put(0, bytemuck::bytes_of(&input.frame)),
-                Uniform::Mouse => put(0, bytemuck::bytes_of(&input.mouse)),
-                Uniform::Date => put(0, bytemuck::bytes_of(&input.date)),
-                Uniform::SampleRate => put(0, bytemuck::bytes_of(&SAMPLE_RATE)),
-                // No input that plays in time exists yet.
-                Uniform::ChannelTime => {}
-                Uniform::ChannelResolution => {
-                    for (channel, size) in self.channel_resolution.iter().enumerate() {
-                        let size = size.unwrap_or(input.resolution.as_vec2().extend(1.0));
-                        put(channel * ARRAY_STRIDE, bytemuck::bytes_of(&size));
-                    }
-                }
-            }
-        }
-    }
 }

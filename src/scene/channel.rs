@@ -3,7 +3,7 @@
 use std::fmt;
 use std::path::PathBuf;
 
-use super::BufferLetter;
+use super::{BufferLetter, PassKind};
 
 /// What is bound to one channel.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,6 +69,15 @@ impl Input {
             Input::Cubemap(_) | Input::CubeBuffer => SamplerKind::Cube,
             Input::Volume(_) => SamplerKind::ThreeD,
             _ => SamplerKind::TwoD,
+        }
+    }
+
+    /// The pass that draws it, if one does.
+    pub fn pass(&self) -> Option<PassKind> {
+        match self {
+            Input::Buffer(letter) => Some(PassKind::Buffer(*letter)),
+            Input::CubeBuffer => Some(PassKind::Cube),
+            _ => None,
         }
     }
 

@@ -144,7 +144,7 @@ impl Findings {
         });
         let options = translate::Options {
             checks: Checks::Operands(wanted.collect()),
-            ..session.options.clone()
+            ..session.setup.options.clone()
         };
         let scene = &session.scene;
         let programs =
@@ -152,7 +152,10 @@ impl Findings {
                 report,
                 read: scene.read.clone(),
             })?;
-        let renderer = Renderer::new(gpu, scene, &programs, session.format)?;
+        let renderer = {
+            let format = session.setup.format;
+            Renderer::new(gpu, scene, &programs, &session.inputs, format)?
+        };
         // One program looks at all sites; each frame tells of those that it was the first for.
         let mut drawn: Vec<(FrameInput, Vec<u32>)> = Vec::new();
         let before: u32 = programs[..pass].iter().filter_map(|p| p.findings).sum();

@@ -2,11 +2,10 @@
 
 use glam::UVec2;
 
-use super::{OpenError, Session};
+use super::{OpenError, Session, Setup};
 use crate::frame::{FloatImage, FrameInput};
 use crate::render::{Canvas, Extras, Format, Gpu, GpuError, Pace, ReadBack, Slot};
 use crate::scene::Source;
-use crate::translate;
 
 /// The most frames that are drawn before one, of a scene whose buffers remember them.
 const MOST_BEFORE: i32 = 60;
@@ -47,13 +46,12 @@ pub struct Drawn {
 
 impl Subject {
     /// Opens a scene for pictures of one size.
-    pub fn open(
-        gpu: &Gpu,
-        source: &Source,
-        options: &translate::Options,
-        size: UVec2,
-    ) -> Result<Self, OpenError> {
-        let session = Session::open_for(gpu, source, options, Format::Floats)?;
+    pub fn open(gpu: &Gpu, source: &Source, setup: &Setup, size: UVec2) -> Result<Self, OpenError> {
+        let setup = Setup {
+            format: Format::Floats,
+            ..setup.clone()
+        };
+        let session = Session::open(gpu, source, &setup)?;
         let canvas = session.renderer.canvas(gpu, size)?;
         let extras = Extras {
             times: true,

@@ -2,13 +2,17 @@
 
 mod findings;
 mod floats;
+mod track;
 
 pub use findings::Findings;
 pub use floats::{Drawn, Moment, Subject};
+pub use track::Track;
 
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use crate::media::{Inputs, Library, MediaError};
 use crate::render::{Format, Gpu, GpuError, Renderer};
 use crate::scene::{self, Input, LoadError, LoadErrorKind, Pass, PassKind, Scene, Source};
 use crate::source::{Diagnostic, Report, Span};
@@ -17,6 +21,28 @@ use crate::translate::{self, Arithmetic, Checks, Program};
 /// How many rounds loops that are not known to end may make in a pixel: some tenths of a second on a
 /// GPU, and hundreds of times what any picture needs that is drawn while someone watches.
 pub const ROUND_BUDGET: u32 = 1 << 22;
+
+/// How a scene is opened.
+#[derive(Clone, Debug, Default)]
+pub struct Setup {
+    /// How it is translated.
+    pub options: translate::Options,
+    /// The format of the pictures.
+    pub format: Format,
+    /// Where the files come from that its channels read.
+    pub library: Arc<Library>,
+    /// Whether it is opened for its sound. Else it is for its picture.
+    pub for_sound: bool,
+}
+
+impl From<translate::Options> for Setup {
+    fn from(options: translate::Options) -> Self {
+        Setup {
+            options,
+            ..Setup::default()
+        }
+    }
+}
 
 /// A scene that can be drawn.
 #[derive(Debug)]
@@ -29,10 +55,10 @@ pub struct Session {
     pub renderer: Renderer,
     /// What the author should know although the scene runs.
     pub warnings: Report,
-    /// How it was translated, and is when it is reloaded.
-    pub options: translate::Options,
-    /// The format of the targets that it is for.
-    pub format: Format,
+    /// What its channels read.
+    pub inputs: Inputs,
+    /// How it was opened, and is when it is reloaded.
+    pub setup: Setup,
     /// How long it took to get here.
     pub timing: Timing,
 }
@@ -96,21 +122,8 @@ impl From<GpuError> for OpenError {
 
 impl Session {
     /// Loads, translates and builds a scene.
-    pub fn open(
-        gpu: &Gpu,
-        source: &Source,
-        options: &translate::Options,
-    ) -> Result<Self, OpenError> {
-        Session::open_for(gpu, source, options, Format::Bytes)
-    }
-
-    /// The same for targets of this format.
-    pub fn open_for(
-        gpu: &Gpu,
-        source: &Source,
-        options: &translate::Options,
-        format: Format,
-    ) -> Result<Self, OpenError> {
+    pub fn open(gpu: &Gpu, source: &Source, setup: &Setup) -> Result<Self, OpenError> {
+        let options = &setup.options;
         let start = Instant::now();
         let mut scene = scene::load(source)?;
         let loaded = Instant::now();
@@ -119,7 +132,6 @@ impl Session {
             report,
             read: read.clone(),
         };
-        require_drawable(&scene).map_err(in_scene)?;
         // What is drawn shall look as it does in a browser.
         let options = translate::Options {
             arithmetic: Arithmetic::Expanded,
@@ -135,9 +147,14 @@ impl Session {
         };
         let mut programs = translate::translate(&scene, &options).map_err(in_scene)?;
         let diagnostics = warnings(&scene, &programs);
-        leave_out(&mut scene, &mut programs);
+        let wanted = match setup.for_sound {
+            true => PassKind::Sound,
+            false => PassKind::Image,
+        };
+        leave_out(&mut scene, &mut programs, wanted);
         let translated = Instant::now();
-        let renderer = Renderer::new(gpu, &scene, &programs, format)?;
+        let inputs = inputs(&scene, &programs, &setup.library).map_err(in_scene)?;
+        let renderer = Renderer::new(gpu, &scene, &programs, &inputs, setup.format)?;
         let timing = Timing {
             load: loaded - start,
             translate: translated - loaded,
@@ -152,8 +169,11 @@ impl Session {
             programs,
             renderer,
             warnings,
-            options,
-            format,
+            inputs,
+            setup: Setup {
+                options,
+                ..setup.clone()
+            },
             timing,
         })
     }
@@ -170,11 +190,11 @@ impl Session {
         })
     }
 
-    /// Opens the scene anew, with the options of the first time, and, if that succeeds, becomes the
+    /// Opens the scene anew, in the way of the first time, and, if that succeeds, becomes the
     /// new one. On failure nothing changes:
     /// what was drawn before can go on.
     pub fn reload(&mut self, gpu: &Gpu, source: &Source) -> Result<(), OpenError> {
-        *self = Session::open_for(gpu, source, &self.options, self.format)?;
+        *self = Session::open(gpu, source, &self.setup)?;
         Ok(())
     }
 }
@@ -184,52 +204,62 @@ fn warnings(scene: &Scene, programs: &[Program]) -> Vec<Diagnostic> {
     scene.warnings.iter().chain(of_programs).cloned().collect()
 }
 
-/// Refuses a scene that needs what the renderer cannot do yet.
-pub fn require_drawable(scene: &Scene) -> Result<(), Report> {
+/// Loads what the channels of a scene's passes read, as far as their programs use it.
+fn inputs(scene: &Scene, programs: &[Program], library: &Library) -> Result<Inputs, Report> {
     let mut diagnostics = Vec::new();
-    for pass in &scene.passes {
-        let name = pass.kind.name();
-        let own = pass.sources.last().map(|&file| {
-            let whole = scene.files.whole(file);
-            Span {
-                end: whole.start,
-                ..whole
+    let mut passes = Vec::new();
+    for (pass, program) in scene.passes.iter().zip(programs) {
+        passes.push(std::array::from_fn(|index| {
+            let channel = pass.channels[index].as_ref()?;
+            let is_still = matches!(
+                channel.input,
+                Input::Noise | Input::Texture(_) | Input::Volume(_)
+            );
+            // On the site, sounds read nothing else.
+            if pass.kind == PassKind::Sound && !is_still {
+                return None;
             }
-        });
-        let mut refuse = |what: String| {
-            diagnostics.push(Diagnostic {
-                pass: Some(name.to_owned()),
-                ..Diagnostic::error("not-drawable-yet", format!("{what} cannot be drawn yet"))
-                    .at(own)
-                    .hint("`vitrine check` and `vitrine translate` know all passes and inputs")
-            });
-        };
-        if !matches!(pass.kind, PassKind::Image | PassKind::Buffer(_)) {
-            refuse(format!("the pass {name}"));
-            continue;
-        }
-        for (index, channel) in pass.channels.iter().enumerate() {
-            match channel.as_ref().map(|channel| &channel.input) {
-                None | Some(Input::Noise | Input::Buffer(_) | Input::Keyboard) => {}
-                Some(input) => refuse(format!("what iChannel{index} reads, {},", input.name())),
+            if !program.channels[index].texture && !program.reads_about_channels() {
+                return None;
             }
-        }
+            library.open(&channel.input).unwrap_or_else(|error| {
+                diagnostics.push(unreadable(scene, pass, index, &error));
+                None
+            })
+        }));
     }
-    if diagnostics.is_empty() {
-        return Ok(());
+    match diagnostics.is_empty() {
+        true => Ok(Inputs::new(passes)),
+        false => Err(Report {
+            files: scene.files.clone(),
+            diagnostics,
+        }),
     }
-    Err(Report {
-        files: scene.files.clone(),
-        diagnostics,
-    })
 }
 
-/// Leaves out the passes that the picture needs nothing of.
-fn leave_out(scene: &mut Scene, programs: &mut Vec<Program>) {
+/// That what a channel reads cannot be had.
+fn unreadable(scene: &Scene, pass: &Pass, channel: usize, error: &MediaError) -> Diagnostic {
+    let own = pass.sources.last().map(|&file| {
+        let whole = scene.files.whole(file);
+        Span {
+            end: whole.start,
+            ..whole
+        }
+    });
+    Diagnostic {
+        pass: Some(pass.kind.name().to_owned()),
+        ..Diagnostic::error("media", format!("iChannel{channel}: {error}"))
+            .at(own)
+            .hint(error.hint())
+    }
+}
+
+/// Leaves out the passes that the wanted one needs nothing of.
+fn leave_out(scene: &mut Scene, programs: &mut Vec<Program>, wanted: PassKind) {
     let mut needed: Vec<bool> = scene
         .passes
         .iter()
-        .map(|pass| pass.kind == PassKind::Image)
+        .map(|pass| pass.kind == wanted)
         .collect();
     loop {
         let mut found = needed.clone();
@@ -240,12 +270,10 @@ fn leave_out(scene: &mut Scene, programs: &mut Vec<Program>) {
             .filter(|(place, _)| needed[*place])
         {
             for (channel, usage) in pass.channels.iter().zip(&programs[place].channels) {
-                let Some(Input::Buffer(letter)) = channel.as_ref().map(|channel| &channel.input)
-                else {
+                let Some(kind) = channel.as_ref().and_then(|channel| channel.input.pass()) else {
                     continue;
                 };
-                let is_read =
-                    |other: &Pass| usage.texture && other.kind == PassKind::Buffer(*letter);
+                let is_read = |other: &Pass| usage.texture && other.kind == kind;
                 for (found, other) in found.iter_mut().zip(&scene.passes) {
                     *found |= is_read(other);
                 }

@@ -34,7 +34,11 @@ pub const BLOCK_SIZE: u32 = 1024;
 pub static INTERFACE: LazyLock<Interface> = LazyLock::new(|| Interface {
     group: GROUP,
     block: UNIFORMS,
-    uniforms: Uniform::ALL.map(|uniform| uniform.name().to_owned()).into(),
+    uniforms: Uniform::ALL
+        .iter()
+        .chain(&Uniform::GENERATED)
+        .map(|uniform| uniform.name().to_owned())
+        .collect(),
     block_size: BLOCK_SIZE,
     samplers: (0..CHANNELS)
         .map(|channel| HostSampler {
@@ -47,7 +51,7 @@ pub static INTERFACE: LazyLock<Interface> = LazyLock::new(|| Interface {
     findings: FINDINGS,
 });
 
-/// ShaderToy's uniforms, in the order in which the site declares them.
+/// ShaderToy's uniforms, in the order in which the site declares them, and those of the generated `main`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Uniform {
     /// `vec3 iResolution`
@@ -70,10 +74,18 @@ pub enum Uniform {
     TimeDelta,
     /// `float iFrameRate`
     FrameRate,
+    /// `vec4 unViewport`: where the face of a cubemap lies in its target, and its size
+    Viewport,
+    /// `vec3 unCorners[5]`: the corners of the face of a cubemap, and the eye
+    Corners,
+    /// `float iTimeOffset`: when the first of a block's samples sounds, in seconds
+    TimeOffset,
+    /// `int iSampleOffset`: the number of the first of a block's samples
+    SampleOffset,
 }
 
 impl Uniform {
-    /// Every uniform.
+    /// Those that every author's text may name.
     pub const ALL: [Uniform; 10] = [
         Uniform::Resolution,
         Uniform::Time,
@@ -85,6 +97,14 @@ impl Uniform {
         Uniform::Frame,
         Uniform::TimeDelta,
         Uniform::FrameRate,
+    ];
+
+    /// Those that only the generated text of cubemap and sound passes declares.
+    pub const GENERATED: [Uniform; 4] = [
+        Uniform::Viewport,
+        Uniform::Corners,
+        Uniform::TimeOffset,
+        Uniform::SampleOffset,
     ];
 
     /// The name that authors write.
@@ -100,6 +120,10 @@ impl Uniform {
             Uniform::Frame => "iFrame",
             Uniform::TimeDelta => "iTimeDelta",
             Uniform::FrameRate => "iFrameRate",
+            Uniform::Viewport => "unViewport",
+            Uniform::Corners => "unCorners",
+            Uniform::TimeOffset => "iTimeOffset",
+            Uniform::SampleOffset => "iSampleOffset",
         }
     }
 
@@ -116,13 +140,16 @@ impl Uniform {
         let name = self.name();
         match self {
             Uniform::Resolution => format!("vec3 {name}"),
-            Uniform::Mouse | Uniform::Date => format!("vec4 {name}"),
-            Uniform::Frame => format!("int {name}"),
+            Uniform::Mouse | Uniform::Date | Uniform::Viewport => format!("vec4 {name}"),
+            Uniform::Frame | Uniform::SampleOffset => format!("int {name}"),
+            Uniform::Corners => format!("vec3 {name}[5]"),
             Uniform::ChannelTime => format!("float {name}[{CHANNELS}]"),
             Uniform::ChannelResolution => format!("vec3 {name}[{CHANNELS}]"),
-            Uniform::Time | Uniform::SampleRate | Uniform::TimeDelta | Uniform::FrameRate => {
-                format!("float {name}")
-            }
+            Uniform::Time
+            | Uniform::SampleRate
+            | Uniform::TimeDelta
+            | Uniform::FrameRate
+            | Uniform::TimeOffset => format!("float {name}"),
         }
     }
 }

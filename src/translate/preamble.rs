@@ -71,7 +71,8 @@ void main() {
 }
 ";
 
-/// Samples lie in rows of 512; each of the two channels leaves as two bytes, the low one first.
+/// Samples lie in rows of 512. The site has them leave as bytes, 16 bits to each ear; here they leave as floats, so
+/// that what is no number can be told, and become integers afterwards in the same way.
 const SOUND: &str = "\
 vec2 mainSound(in int samp, float time);
 uniform float iTimeOffset;
@@ -81,10 +82,7 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     int samp = at.y * 512 + at.x;
     vec2 sound = mainSound(iSampleOffset + samp, iTimeOffset + float(samp) / iSampleRate);
-    vec2 level = floor((0.5 + 0.5 * sound) * 65536.0);
-    vec2 low = mod(level, 256.0) / 255.0;
-    vec2 high = floor(level / 256.0) / 255.0;
-    outColor = vec4(low.x, high.x, low.y, high.y);
+    outColor = vec4(sound, 0.0, 1.0);
 }
 ";
 

@@ -107,6 +107,11 @@ impl Program {
             .is_some_and(|block| block.members.iter().any(|(member, _)| *member == uniform))
     }
 
+    /// Whether the pass asks how large what a channel reads is, or how far it has played.
+    pub fn reads_about_channels(&self) -> bool {
+        self.reads(Uniform::ChannelResolution) || self.reads(Uniform::ChannelTime)
+    }
+
     /// Validates a lowered pass and keeps what its entry point needs.
     pub(super) fn new(
         kind: PassKind,
@@ -183,7 +188,7 @@ fn uniform_block(
         // The author's own are in it too, and stay zero.
         .filter_map(|index| {
             let member = &members[index];
-            let mut all = Uniform::ALL.into_iter();
+            let mut all = Uniform::ALL.into_iter().chain(Uniform::GENERATED);
             let uniform = all.find(|uniform| member.name.as_deref() == Some(uniform.name()))?;
             Some((uniform, member.offset))
         })

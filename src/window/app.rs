@@ -162,10 +162,10 @@ impl App {
         self.opening = Opening::Busy;
         self.latest_opening += 1;
         let number = self.latest_opening;
-        let options = self.options.translate.clone();
+        let setup = self.options.setup.clone();
         thread::spawn(move || {
             let began = Instant::now();
-            let result = Session::open(&gpu, &source, &options);
+            let result = Session::open(&gpu, &source, &setup);
             let opened = Opened {
                 number,
                 source,

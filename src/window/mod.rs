@@ -21,17 +21,16 @@ use winit::event_loop::EventLoop;
 
 use crate::render::{AdapterChoice, GpuError, Watchdog};
 use crate::scene::Source;
-use crate::session::{OpenError, Session};
+use crate::session::{OpenError, Session, Setup};
 use crate::source::Report;
-use crate::translate;
 
 /// What to play, and how.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The scene to begin with.
     pub source: Source,
-    /// How to translate it, also after changes, and every scene that follows it.
-    pub translate: translate::Options,
+    /// How to open it, also after changes, and every scene that follows it.
+    pub setup: Setup,
     /// Size of the window's inside in pixels.
     pub size: UVec2,
     /// Pixels drawn for each pixel of the window's width and height.

@@ -73,7 +73,7 @@ impl Stage {
             size_of(&window),
         )?;
         let session =
-            Session::open(&gpu, &options.source, &options.translate).map_err(PlayError::Open)?;
+            Session::open(&gpu, &options.source, &options.setup).map_err(PlayError::Open)?;
         let size = picture_size(&gpu, &window, options.scale);
         let canvas = session.renderer.canvas(&gpu, size)?;
         Ok(Stage {

@@ -63,7 +63,7 @@ fn a_picture_in_bands_is_the_same() {
         checks: Checks::All,
         ..Options::default()
     };
-    let session = Session::open(gpu, &pasted(TEXT), &options).expect("a good scene");
+    let session = Session::open(gpu, &pasted(TEXT), &options.into()).expect("a good scene");
     for size in [UVec2::new(320, 181), UVec2::new(33, 1200)] {
         let whole = drawn(gpu, &session, size, None);
         let mut slow = Pace::new(gpu, size);

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use vitrine::frame::{Clock, FloatImage};
 use vitrine::render::{Extras, Format, Gpu, Pace, ReadBack};
 use vitrine::scene::{PassKind, Source};
-use vitrine::session::Session;
+use vitrine::session::{Session, Setup};
 use vitrine::translate::Options;
 
 use crate::support::{Folder, gpu, repository, vitrine};
@@ -35,6 +35,14 @@ fn pass(kind: &str, body: &str, inputs: Value) -> Value {
     json!({ "type": kind, "code": code, "inputs": inputs, "outputs": [{ "id": id, "channel": 0 }], "name": "" })
 }
 
+fn floats(options: &Options) -> Setup {
+    Setup {
+        options: options.clone(),
+        format: Format::Floats,
+        ..Setup::default()
+    }
+}
+
 fn scene(passes: &[Value]) -> Source {
     Source::Text {
         name: "scene.json".to_owned(),
@@ -48,7 +56,7 @@ const SIZE: UVec2 = UVec2::new(8, 6);
 
 fn open(gpu: &Gpu, passes: &[Value]) -> Session {
     let options = Options::default();
-    Session::open_for(gpu, &scene(passes), &options, Format::Floats).expect("a good scene")
+    Session::open(gpu, &scene(passes), &floats(&options)).expect("a good scene")
 }
 
 /// Draws frames one after the other, the numbers as given; the last picture.
@@ -377,7 +385,7 @@ fn folders_have_buffers() {
     folder.write("image.glsl", image);
     let open = || {
         let source = Source::Path(folder.path().to_owned());
-        Session::open_for(gpu, &source, &Options::default(), Format::Floats).expect("a good scene")
+        Session::open(gpu, &source, &floats(&Options::default())).expect("a good scene")
     };
     let shown = |session: &Session| corner(&drawn(gpu, session, &frames(3), &[SIZE]));
     // Each pass reads Buffer A through iChannel0 and Buffer B through iChannel1.
@@ -414,7 +422,7 @@ fn blending_over_time_begins_as_the_template() {
             ..Options::default()
         };
         let source = Source::Path(repository("shadertoy").join(name));
-        let session = Session::open_for(gpu, &source, &options, Format::Floats);
+        let session = Session::open(gpu, &source, &floats(&options));
         let session = session.expect("a good scene");
         drawn(gpu, &session, &frames(3), &[UVec2::new(96, 54)])
     };

@@ -116,6 +116,7 @@ fn cells(gpu: &Gpu, text: &str) -> Vec<Cell> {
     );
     let around = Surroundings {
         gpu,
+        library: Default::default(),
         folder: folder.path(),
         progress: &mut |_| {},
         known: &|_, _| None,

@@ -25,7 +25,7 @@ fn options() -> Options {
 
 /// Opens a scene in double precision, if the device has it.
 pub fn open_double(gpu: &Gpu, source: &Source) -> Option<Session> {
-    match Session::open(gpu, source, &options()) {
+    match Session::open(gpu, source, &options().into()) {
         Ok(session) => Some(session),
         Err(OpenError::Scene { report, .. }) => panic!("{}", plain(&report)),
         Err(OpenError::Gpu(error)) if !gpu.has_float64() => {

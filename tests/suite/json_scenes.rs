@@ -162,32 +162,6 @@ fn a_strange_input_is_a_warning() {
 
 #[cfg(feature = "gpu")]
 #[test]
-fn what_cannot_be_drawn_yet_is_refused_and_named() {
-    if crate::support::gpu().is_none() {
-        return;
-    }
-    let inputs = json!([{ "id": "4sf3zn", "type": "webcam", "channel": 1 }]);
-    let code = "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel1, ivec2(p), 0); }";
-    let text = export(&[
-        pass(
-            "cubemap",
-            "4dX3Rr",
-            "void mainCubemap(out vec4 c, in vec2 p, in vec3 o, in vec3 d) { c = vec4(d, 1); }",
-            json!([]),
-        ),
-        pass("image", "4dfGRr", code, inputs),
-    ]);
-    let folder = Folder::with("film.json", text);
-    folder
-        .run("export film.json --out a.png --size 8x8")
-        .exits(1)
-        .says("error[not-drawable-yet]: the pass Cube A cannot be drawn yet")
-        .says("error[not-drawable-yet]: what iChannel1 reads, webcam, cannot be drawn yet");
-    assert_eq!(folder.files(), ["film.json"]);
-}
-
-#[cfg(feature = "gpu")]
-#[test]
 fn a_single_pass_is_drawn() {
     if crate::support::gpu().is_none() {
         return;

@@ -73,6 +73,7 @@ fn findings(
     let (mut kept, mut steps) = (0, BTreeSet::new());
     let around = Surroundings {
         gpu,
+        library: Default::default(),
         folder,
         progress: &mut |step| {
             steps.insert(step.next.to_owned());
@@ -234,6 +235,7 @@ times = [16]
     let mut told = 0;
     let around = Surroundings {
         gpu,
+        library: Default::default(),
         folder: folder.path(),
         progress: &mut |_| told += 1,
         known: &|_, _| None,

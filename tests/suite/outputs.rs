@@ -17,7 +17,8 @@ fn drawn(gpu: &Gpu, text: &str, output: Output) -> FloatImage {
         output,
         ..Options::default()
     };
-    let mut subject = Subject::open(gpu, &pasted(text), &options, SIZE).expect("a good scene");
+    let mut subject =
+        Subject::open(gpu, &pasted(text), &options.into(), SIZE).expect("a good scene");
     let input = Clock::fixed(60.0).at(0, SIZE);
     subject
         .draw(gpu, &input, &mut |_| {})
@@ -93,7 +94,8 @@ fn a_probe_is_as_precise_as_the_program() {
             output: probe("rest"),
             ..Options::default()
         };
-        let mut subject = Subject::open(gpu, &pasted(text), &options, SIZE).expect("a good scene");
+        let mut subject =
+            Subject::open(gpu, &pasted(text), &options.into(), SIZE).expect("a good scene");
         let input = Clock::fixed(60.0).at(0, SIZE);
         let image = subject
             .draw(gpu, &input, &mut |_| {})

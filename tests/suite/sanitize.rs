@@ -21,7 +21,7 @@ fn report(gpu: &Gpu, source: &Source, size: UVec2) -> Report {
         checks: Checks::All,
         ..Options::default()
     };
-    let mut subject = Subject::open(gpu, source, &options, size).expect("a good scene");
+    let mut subject = Subject::open(gpu, source, &options.into(), size).expect("a good scene");
     let input = Clock::fixed(60.0).at_time(1.0, size);
     let drawn = subject.draw(gpu, &input, &mut |_| {}).expect("a picture");
     let mut findings = Findings::default();

@@ -2,7 +2,7 @@
 
 use vitrine::measure::stability::{Fault, Verdict, cases, examine};
 use vitrine::render::Gpu;
-use vitrine::translate::Options;
+use vitrine::session::Setup;
 
 use crate::support::{gpu, pasted};
 
@@ -11,7 +11,7 @@ fn verdicts(gpu: &Gpu, text: &str, defines: &[(String, Vec<String>)]) -> Vec<Ver
     examine(
         gpu,
         &pasted(text),
-        &Options::default(),
+        &Setup::default(),
         &cases,
         &mut |_, _| {},
     )

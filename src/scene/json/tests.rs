@@ -176,7 +176,14 @@ fn every_input_has_its_sampler_and_the_sites_defaults() {
         };
         assert_eq!(channel.sampling, expected, "{kind} {id}");
         if let Some(media) = channel.input.media() {
-            assert_eq!((&*media.id, &*media.path), (id, path));
+            let Media::Site {
+                id: found_id,
+                path: found_path,
+            } = media
+            else {
+                panic!("JSON names the site's media");
+            };
+            assert_eq!((&**found_id, &**found_path), (id, path));
         }
     }
 }

@@ -20,6 +20,7 @@ use std::time::Duration;
 
 use glam::UVec2;
 use vitrine::frame::{Clock, FrameImage};
+use vitrine::media::Inputs;
 use vitrine::render::{AdapterChoice, Format, Gpu, GpuError, Renderer};
 use vitrine::scene::Scene;
 use vitrine::translate::{Arithmetic, Options, Program};
@@ -175,7 +176,7 @@ impl Drawing {
 }
 
 fn drawn(gpu: &Gpu, scene: &Scene, programs: &[Program]) -> Result<FrameImage, GpuError> {
-    let renderer = Renderer::new(gpu, scene, programs, Format::Bytes)?;
+    let renderer = Renderer::new(gpu, scene, programs, &Inputs::default(), Format::Bytes)?;
     draw_with(gpu, &renderer, &Clock::fixed(60.0).at(30, SIZE))
 }
 

@@ -4,8 +4,7 @@ use glam::UVec2;
 use vitrine::frame::{Clock, FrameImage, FrameInput};
 use vitrine::render::{AdapterChoice, Extras, Gpu, GpuError, ReadBack, Renderer};
 use vitrine::scene::Source;
-use vitrine::session::{OpenError, Session};
-use vitrine::translate::Options;
+use vitrine::session::{OpenError, Session, Setup};
 
 use super::{pasted, plain};
 
@@ -29,7 +28,7 @@ pub fn gpu() -> Option<&'static Gpu> {
 
 /// Opens a scene that is known to be good.
 pub fn open(gpu: &Gpu, source: &Source) -> Session {
-    match Session::open(gpu, source, &Options::default()) {
+    match Session::open(gpu, source, &Setup::default()) {
         Ok(session) => session,
         Err(OpenError::Scene { report, .. }) => panic!("{}", plain(&report)),
         Err(error) => panic!("{error:?}"),

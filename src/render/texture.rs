@@ -1,0 +1,409 @@
+//! Textures of what is loaded: pictures, cubemaps, volumes, and what changes with time.
+
+use std::sync::{Arc, Mutex};
+
+use half::f16;
+
+use super::gpu::{Gpu, GpuError};
+use crate::media::{Content, Feed, Format, Texels};
+use crate::scene::{Channel, Filter, Input, SamplerKind};
+
+/// The textures of a renderer, each made once whoever reads it.
+#[derive(Debug, Default)]
+pub(super) struct Textures {
+    still: Vec<(Arc<Texels>, Use, wgpu::TextureView)>,
+    live: Vec<Live>,
+}
+
+/// How a channel wants its texture made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Use {
+    kind: SamplerKind,
+    is_flipped: bool,
+    is_shrunk: bool,
+}
+
+/// A texture for each way in which something that changes with time is read.
+#[derive(Debug)]
+struct Live {
+    feed: Arc<Mutex<dyn Feed>>,
+    textures: Vec<(bool, wgpu::Texture)>,
+    /// The time of what the textures hold.
+    time: Option<f32>,
+}
+
+impl Textures {
+    /// The texture of what a channel reads, without what only some readers see.
+    pub fn view(
+        &mut self,
+        gpu: &Gpu,
+        channel: &Channel,
+        content: &Content,
+    ) -> Result<wgpu::TextureView, GpuError> {
+        let usage = Use {
+            kind: channel.input.sampler(),
+            is_flipped: channel.sampling.vflip && heeds_vflip(&channel.input),
+            is_shrunk: channel.sampling.filter == Filter::Mipmap,
+        };
+        match content {
+            Content::Still(texels) => {
+                let is_known = |(other, other_usage, _): &&(Arc<Texels>, Use, _)| {
+                    Arc::ptr_eq(other, texels) && *other_usage == usage
+                };
+                if let Some((.., view)) = self.still.iter().find(is_known) {
+                    return Ok(view.clone());
+                }
+                let view = upload(gpu, texels, usage)?;
+                self.still.push((Arc::clone(texels), usage, view.clone()));
+                Ok(view)
+            }
+            Content::Live(feed) => self.live_view(gpu, feed, usage.is_flipped),
+        }
+    }
+
+    fn live_view(
+        &mut self,
+        gpu: &Gpu,
+        feed: &Arc<Mutex<dyn Feed>>,
+        is_flipped: bool,
+    ) -> Result<wgpu::TextureView, GpuError> {
+        let known = self
+            .live
+            .iter()
+            .position(|live| Arc::ptr_eq(&live.feed, feed));
+        let place = known.unwrap_or_else(|| {
+            self.live.push(Live {
+                feed: Arc::clone(feed),
+                textures: Vec::new(),
+                time: None,
+            });
+            self.live.len() - 1
+        });
+        let live = &mut self.live[place];
+        let texture = match live.textures.iter().find(|(other, _)| *other == is_flipped) {
+            Some((_, texture)) => texture.clone(),
+            None => {
+                let feed = feed.lock().expect("no holder panics");
+                let ([width, height], format) = (feed.size(), feed.format());
+                let texture = new_texture(gpu, SamplerKind::TwoD, [width, height, 1], format, 1)?;
+                live.textures.push((is_flipped, texture.clone()));
+                texture
+            }
+        };
+        Ok(texture.create_view(&wgpu::TextureViewDescriptor::default()))
+    }
+
+    /// Brings what changes with time to where it is at `time` seconds.
+    pub fn advance(&mut self, gpu: &Gpu, time: f32) {
+        for live in &mut self.live {
+            if live.time == Some(time) {
+                continue;
+            }
+            live.time = Some(time);
+            let mut feed = live.feed.lock().expect("no holder panics");
+            let ([width, height], format) = (feed.size(), feed.format());
+            if let Some(texels) = feed.texels(f64::from(time)) {
+                let row = width as usize * format.bytes();
+                let flipped: Vec<u8> = texels.chunks(row).rev().flatten().copied().collect();
+                for (is_flipped, texture) in &live.textures {
+                    let bytes = if *is_flipped { &flipped } else { texels };
+                    write(gpu, texture, 0, [width, height, 1], bytes);
+                }
+            }
+        }
+    }
+}
+
+/// Whether `vflip` means something to what a channel reads.
+fn heeds_vflip(input: &Input) -> bool {
+    matches!(
+        input,
+        Input::Noise | Input::Texture(_) | Input::Cubemap(_) | Input::Video(_) | Input::Webcam
+    )
+}
+
+/// What is read where nothing is bound: (0, 0, 0, 1), as WebGL has it.
+pub(super) fn unbound(gpu: &Gpu, kind: SamplerKind) -> Result<wgpu::TextureView, GpuError> {
+    let layers = if kind == SamplerKind::Cube { 6 } else { 1 };
+    let texels = Texels {
+        size: [1, 1, layers],
+        format: Format::Rgba8,
+        bytes: [0, 0, 0, 255].repeat(layers as usize),
+    };
+    let usage = Use {
+        kind,
+        is_flipped: false,
+        is_shrunk: false,
+    };
+    upload(gpu, &texels, usage)
+}
+
+pub(super) fn dimension(kind: SamplerKind) -> wgpu::TextureViewDimension {
+    match kind {
+        SamplerKind::TwoD => wgpu::TextureViewDimension::D2,
+        SamplerKind::ThreeD => wgpu::TextureViewDimension::D3,
+        SamplerKind::Cube => wgpu::TextureViewDimension::Cube,
+    }
+}
+
+fn upload(gpu: &Gpu, texels: &Texels, usage: Use) -> Result<wgpu::TextureView, GpuError> {
+    let largest = texels.size.into_iter().max().unwrap_or(0);
+    let limit = match usage.kind {
+        SamplerKind::ThreeD => gpu.device().limits().max_texture_dimension_3d,
+        _ => gpu.max_size(),
+    };
+    if largest > limit {
+        let [width, height, _] = texels.size;
+        let size = glam::uvec2(width, height);
+        return Err(GpuError::Size { size, limit });
+    }
+    let mut base = Level::new(texels);
+    if usage.is_flipped {
+        base.flip(usage.kind);
+    }
+    let mut levels = vec![base];
+    while usage.is_shrunk
+        && let Some(last) = levels.last()
+        && last.sides(usage.kind) > 1
+    {
+        levels.push(last.shrunk(usage.kind));
+    }
+    let count = levels.len() as u32;
+    let texture = new_texture(gpu, usage.kind, texels.size, texels.format, count)?;
+    gpu.guarded("filling a channel's texture", || {
+        for (number, level) in (0..).zip(&levels) {
+            let bytes = level.bytes(texture.format());
+            write(gpu, &texture, number, level.size, &bytes);
+        }
+        texture.create_view(&wgpu::TextureViewDescriptor {
+            dimension: Some(dimension(usage.kind)),
+            ..Default::default()
+        })
+    })
+}
+
+fn new_texture(
+    gpu: &Gpu,
+    kind: SamplerKind,
+    [width, height, depth]: [u32; 3],
+    format: Format,
+    levels: u32,
+) -> Result<wgpu::Texture, GpuError> {
+    use wgpu::TextureFormat::{R8Unorm, R16Float, R32Float, Rgba8Unorm, Rgba16Float, Rgba32Float};
+    gpu.guarded("making a channel's texture", || {
+        gpu.device().create_texture(&wgpu::TextureDescriptor {
+            label: Some("channel"),
+            size: wgpu::Extent3d {
+                width,
+                height,
+                depth_or_array_layers: depth,
+            },
+            mip_level_count: levels,
+            sample_count: 1,
+            dimension: match kind {
+                SamplerKind::ThreeD => wgpu::TextureDimension::D3,
+                _ => wgpu::TextureDimension::D2,
+            },
+            // Not every device filters between floats of 32 bits.
+            format: match (format, gpu.filters_floats()) {
+                (Format::R8, _) => R8Unorm,
+                (Format::Rgba8, _) => Rgba8Unorm,
+                (Format::R32Float, true) => R32Float,
+                (Format::R32Float, false) => R16Float,
+                (Format::Rgba32Float, true) => Rgba32Float,
+                (Format::Rgba32Float, false) => Rgba16Float,
+            },
+            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+            view_formats: &[],
+        })
+    })
+}
+
+fn write(gpu: &Gpu, texture: &wgpu::Texture, level: u32, size: [u32; 3], bytes: &[u8]) {
+    let [width, height, depth] = size;
+    let texel = texture.format().block_copy_size(None);
+    gpu.queue().write_texture(
+        wgpu::TexelCopyTextureInfo {
+            mip_level: level,
+            ..texture.as_image_copy()
+        },
+        bytes,
+        wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: texel.map(|texel| texel * width),
+            rows_per_image: Some(height),
+        },
+        wgpu::Extent3d {
+            width,
+            height,
+            depth_or_array_layers: depth,
+        },
+    );
+}
+
+/// A level of a texture, its numbers as they are stored: bytes from 0 to 255, floats as they are.
+struct Level {
+    size: [u32; 3],
+    components: usize,
+    is_float: bool,
+    numbers: Vec<f32>,
+}
+
+impl Level {
+    fn new(texels: &Texels) -> Self {
+        let numbers = match texels.format {
+            Format::R8 | Format::Rgba8 => texels.bytes.iter().copied().map(f32::from).collect(),
+            Format::R32Float | Format::Rgba32Float => {
+                let floats = texels.bytes.as_chunks().0.iter();
+                floats.map(|bytes| f32::from_le_bytes(*bytes)).collect()
+            }
+        };
+        Level {
+            size: texels.size,
+            components: match texels.format {
+                Format::R8 | Format::R32Float => 1,
+                Format::Rgba8 | Format::Rgba32Float => 4,
+            },
+            is_float: matches!(texels.format, Format::R32Float | Format::Rgba32Float),
+            numbers,
+        }
+    }
+
+    /// The longest of the sides that become shorter.
+    fn sides(&self, kind: SamplerKind) -> u32 {
+        let [width, height, depth] = self.size;
+        let flat = width.max(height);
+        if kind == SamplerKind::ThreeD {
+            flat.max(depth)
+        } else {
+            flat
+        }
+    }
+
+    /// Turns each layer over, so that its last row becomes the first. The faces of a cubemap that look up and down change
+    /// places then.
+    fn flip(&mut self, kind: SamplerKind) {
+        let row = self.size[0] as usize * self.components;
+        let layer = row * self.size[1] as usize;
+        for layer in self.numbers.chunks_mut(layer) {
+            let turned: Vec<f32> = layer.chunks(row).rev().flatten().copied().collect();
+            layer.copy_from_slice(&turned);
+        }
+        if kind == SamplerKind::Cube {
+            let (up, down) = self.numbers[2 * layer..4 * layer].split_at_mut(layer);
+            up.swap_with_slice(down);
+        }
+    }
+
+    /// The next level, each texel linear between those around its centre, as GL's `generateMipmap` makes it: the mean of
+    /// 2 × 2 texels, of 2 × 2 × 2 in a volume, where sides are even.
+    fn shrunk(&self, kind: SamplerKind) -> Level {
+        let [width, height, depth] = self.size;
+        let half = |side: u32| (side / 2).max(1);
+        let size = match kind {
+            SamplerKind::ThreeD => [half(width), half(height), half(depth)],
+            _ => [half(width), half(height), depth],
+        };
+        let [xs, ys, zs] = [0, 1, 2].map(|axis| taps(self.size[axis], size[axis]));
+        let mut numbers =
+            Vec::with_capacity(size.iter().product::<u32>() as usize * self.components);
+        for z in &zs {
+            for y in &ys {
+                for x in &xs {
+                    for component in 0..self.components {
+                        let mut sum = 0.0;
+                        for (z, part_z) in z {
+                            for (y, part_y) in y {
+                                for (x, part_x) in x {
+                                    let texel = ((z * height + y) * width + x) as usize;
+                                    let number = self.numbers[texel * self.components + component];
+                                    sum += number * part_x * part_y * part_z;
+                                }
+                            }
+                        }
+                        numbers.push(if self.is_float {
+                            sum
+                        } else {
+                            (sum + 0.5).floor()
+                        });
+                    }
+                }
+            }
+        }
+        Level {
+            size,
+            numbers,
+            ..*self
+        }
+    }
+
+    /// The numbers as a texture of this format wants them.
+    fn bytes(&self, format: wgpu::TextureFormat) -> Vec<u8> {
+        use wgpu::TextureFormat::{R16Float, R32Float, Rgba16Float, Rgba32Float};
+        let numbers = self.numbers.iter();
+        match format {
+            R32Float | Rgba32Float => numbers.flat_map(|number| number.to_le_bytes()).collect(),
+            R16Float | Rgba16Float => {
+                let largest = f16::MAX.to_f32();
+                let halves = numbers.map(|number| f16::from_f32(number.clamp(-largest, largest)));
+                halves.flat_map(f16::to_le_bytes).collect()
+            }
+            _ => numbers.map(|&number| number as u8).collect(),
+        }
+    }
+}
+
+/// Which numbers of a side, and how much of each, make each number of a smaller one.
+fn taps(side: u32, smaller: u32) -> Vec<Vec<(u32, f32)>> {
+    let scale = side as f32 / smaller as f32;
+    let tap = |index: u32| {
+        let at = (index as f32 + 0.5) * scale - 0.5;
+        let (low, part) = (at.floor(), at - at.floor());
+        match part > 0.0 {
+            true => vec![
+                (low as u32, 1.0 - part),
+                ((low as u32 + 1).min(side - 1), part),
+            ],
+            false => vec![(low as u32, 1.0)],
+        }
+    };
+    (0..smaller).map(tap).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn level(size: [u32; 3], bytes: &[u8]) -> Level {
+        Level::new(&Texels {
+            size,
+            format: Format::R8,
+            bytes: bytes.to_vec(),
+        })
+    }
+
+    #[test]
+    fn levels_are_means() {
+        let smaller = level([2, 2, 1], &[0, 10, 20, 255]).shrunk(SamplerKind::TwoD);
+        assert_eq!((smaller.size, &*smaller.numbers), ([1, 1, 1], &[71.0][..]));
+        let smaller = level([2, 2, 2], &[0, 0, 0, 0, 8, 8, 8, 8]).shrunk(SamplerKind::ThreeD);
+        assert_eq!((smaller.size, &*smaller.numbers), ([1, 1, 1], &[4.0][..]));
+        // Faces are not mixed, and a side of one texel stays.
+        let faces =
+            level([1, 2, 6], &[0, 2, 1, 3, 2, 4, 3, 5, 4, 6, 5, 7]).shrunk(SamplerKind::Cube);
+        assert_eq!(
+            (faces.size, &*faces.numbers),
+            ([1, 1, 6], &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0][..])
+        );
+    }
+
+    #[test]
+    fn a_flipped_cubemap_looks_up_where_it_looked_down() {
+        let mut faces = level([1, 2, 6], &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
+        faces.flip(SamplerKind::Cube);
+        assert_eq!(
+            faces.numbers,
+            [1, 0, 3, 2, 7, 6, 5, 4, 9, 8, 11, 10].map(|n| n as f32)
+        );
+    }
+}
