@@ -240,8 +240,8 @@ fn texts(study: &Study, folder: &Path) -> anyhow::Result<Option<u64>> {
             }
         };
         for pass in &scene.passes {
-            for &file in &pass.sources {
-                hash.add(scene.files.get(file).text.as_bytes());
+            for text in pass.texts(&scene.files) {
+                hash.add(text.as_bytes());
             }
             hash.add(format!("{:?}", pass.channels).as_bytes());
         }

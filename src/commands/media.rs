@@ -7,7 +7,6 @@ use std::sync::Arc;
 
 use etcetera::BaseStrategy as _;
 use serde::Serialize;
-use vitrine::media::site::Kind;
 use vitrine::media::{Entry, Library, Origin, StandIns};
 
 use super::{failure, print, unwritable};
@@ -58,13 +57,7 @@ pub fn media(args: MediaListArgs) -> anyhow::Result<ExitCode> {
     }
     let mut text = String::new();
     for Entry { item, origin } in library.entries() {
-        let kind = match item.kind {
-            Kind::Texture { .. } => "texture",
-            Kind::Cubemap { .. } => "cubemap",
-            Kind::Volume { .. } => "volume",
-            Kind::Video => "video",
-            Kind::Music => "music",
-        };
+        let kind = item.kind.name();
         match args.format {
             Format::Human => {
                 let from = match &origin {

@@ -137,7 +137,7 @@ impl Library {
     fn is_missing(&self, input: &Input) -> bool {
         match input.media() {
             Some(Media::Site { id, path }) => {
-                site_item(id, path).is_none_or(|item| self.origin(item) == Origin::StandIn)
+                Item::of_media(id, path).is_none_or(|item| self.origin(item) == Origin::StandIn)
             }
             Some(Media::Files(_)) => false,
             None => matches!(input, Input::Mic | Input::Webcam),
@@ -150,7 +150,7 @@ impl Library {
             Input::Texture(media) | Input::Cubemap(media) | Input::Volume(media) => match media {
                 Media::Files(paths) => self.read(input, paths, None),
                 Media::Site { id, path } => {
-                    let item = site_item(id, path).filter(|item| fits(item, input));
+                    let item = Item::of_media(id, path).filter(|item| fits(item, input));
                     let item = item.ok_or_else(|| MediaError::Unknown { name: path.clone() })?;
                     self.of_site(input, item)
                 }
@@ -202,10 +202,7 @@ impl Library {
 
     /// What shows for one of the site's pictures, cubemaps or volumes, as a PNG, layer below layer. `None` of films and music.
     pub fn to_png(&self, item: &'static Item) -> Result<Option<Vec<u8>>, MediaError> {
-        let media = Media::Site {
-            id: item.id.to_owned(),
-            path: String::new(),
-        };
+        let media = item.media();
         let input = match item.kind {
             Kind::Texture { .. } => Input::Texture(media),
             Kind::Cubemap { .. } => Input::Cubemap(media),
@@ -270,14 +267,6 @@ impl Library {
         loaded.push((key, Arc::clone(&texels)));
         Ok(texels)
     }
-}
-
-/// Which of the site's media an id or a path means; the path counts more, because ids differ between its interfaces.
-pub fn site_item(id: &str, path: &str) -> Option<&'static Item> {
-    let file = path.rsplit('/').next().unwrap_or_default();
-    let stem = file.split('.').next().unwrap_or_default();
-    let by_path = ITEMS.iter().find(|item| item.hash == stem);
-    by_path.or_else(|| ITEMS.iter().find(|item| item.id == id))
 }
 
 fn fits(item: &Item, input: &Input) -> bool {

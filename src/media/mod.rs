@@ -6,13 +6,13 @@ mod feed;
 mod inputs;
 mod library;
 mod picture;
-pub mod site;
 pub mod stand_in;
 mod texels;
 mod volume;
 
+pub use crate::scene::site::{self, Format};
 pub use error::MediaError;
 pub use feed::Feed;
 pub use inputs::{Content, Inputs};
-pub use library::{Entry, Library, Origin, StandIns, site_item};
-pub use texels::{Format, Texels};
+pub use library::{Entry, Library, Origin, StandIns};
+pub use texels::Texels;

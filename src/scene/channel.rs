@@ -159,6 +159,31 @@ pub struct Sampling {
     pub vflip: bool,
 }
 
+impl Sampling {
+    /// How the site reads a new input of this kind, and one whose JSON does not say how.
+    pub fn usual(input: &Input) -> Sampling {
+        let (filter, wrap, vflip) = match input {
+            Input::Noise | Input::Texture(_) | Input::Volume(_) => {
+                (Filter::Mipmap, Wrap::Repeat, true)
+            }
+            Input::Cubemap(_) | Input::CubeBuffer => (Filter::Mipmap, Wrap::Clamp, false),
+            // Between keys there is nothing.
+            Input::Keyboard => (Filter::Nearest, Wrap::Clamp, true),
+            Input::Buffer(_)
+            | Input::Music(_)
+            | Input::MusicStream(_)
+            | Input::Mic
+            | Input::Video(_)
+            | Input::Webcam => (Filter::Linear, Wrap::Clamp, true),
+        };
+        Sampling {
+            filter,
+            wrap,
+            vflip,
+        }
+    }
+}
+
 /// How a value between texels is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]

@@ -70,6 +70,7 @@ pub fn load(source: &Source) -> Result<Scene, LoadError> {
         Ok(parts) => Ok(Scene {
             // It goes to terminals and title bars, which obey control characters.
             name: parts.name.replace(char::is_control, " "),
+            size: parts.size,
             passes: parts.passes,
             warnings: loading.warnings,
             files: loading.files,
@@ -92,6 +93,7 @@ pub fn load(source: &Source) -> Result<Scene, LoadError> {
 /// What a form of input turns into; [`load`] adds the files.
 pub(super) struct Parts {
     pub name: String,
+    pub size: Option<[u32; 2]>,
     pub passes: Vec<super::Pass>,
 }
 

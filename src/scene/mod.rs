@@ -4,11 +4,13 @@
 //! is wrong with it. After that nothing about a scene can fail.
 
 mod channel;
+mod directive;
 mod file;
 mod folder;
 mod json;
 mod load;
 mod noise;
+pub mod site;
 
 pub use channel::{Channel, Filter, Input, Media, SamplerKind, Sampling, Wrap};
 pub use load::{LoadError, LoadErrorKind, MAX_BYTES, Source, load};
@@ -16,7 +18,7 @@ pub use noise::{NOISE_SIZE, noise_texture};
 
 use std::path::PathBuf;
 
-use crate::source::{Diagnostic, FileId, SourceMap};
+use crate::source::{Diagnostic, FileId, SourceMap, Span};
 
 /// The number of input channels of a pass, `iChannel0` to `iChannel3`.
 pub const CHANNELS: usize = 4;
@@ -26,6 +28,8 @@ pub const CHANNELS: usize = 4;
 pub struct Scene {
     /// What the scene is called, for titles and file names.
     pub name: String,
+    /// The size that the scene is made for, width and height in pixels, if it says one.
+    pub size: Option<[u32; 2]>,
     /// The texts that the scene consists of.
     pub files: SourceMap,
     /// Passes in the order they are drawn; the Image pass is the last.
@@ -54,6 +58,58 @@ pub struct Pass {
     pub sources: Vec<FileId>,
     /// What `iChannel0` to `iChannel3` read; an unbound channel reads (0, 0, 0, 1).
     pub channels: [Option<Channel>; CHANNELS],
+    /// Places in the texts that the host has obeyed, in the order of files and places.
+    pub splices: Vec<Splice>,
+}
+
+impl Pass {
+    /// Every text that has a part in the pass: its own and those that come in the place of a directive.
+    pub fn texts<'a>(&self, files: &'a SourceMap) -> Vec<&'a str> {
+        let spliced = self.splices.iter().filter_map(|splice| splice.text);
+        let mut seen = Vec::new();
+        for file in self.sources.iter().copied().chain(spliced) {
+            if !seen.contains(&file) {
+                seen.push(file);
+            }
+        }
+        seen.into_iter()
+            .map(|file| &*files.get(file).text)
+            .collect()
+    }
+}
+
+/// A directive for the host, not for GLSL: it counts as a blank line, or as the text that it brings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Splice {
+    /// The directive, from its `#` to the end of its line.
+    pub place: Span,
+    /// What stands there instead, if anything does.
+    pub text: Option<FileId>,
+}
+
+/// What to say of a channel that reads a pass which the scene does not have.
+fn missing_pass(
+    reader: PassKind,
+    channel: usize,
+    input: &Input,
+    is_drawn: impl Fn(PassKind) -> bool,
+) -> Option<Diagnostic> {
+    let read = match input {
+        Input::Buffer(letter) => PassKind::Buffer(*letter),
+        Input::CubeBuffer => PassKind::Cube,
+        _ => return None,
+    };
+    if is_drawn(read) {
+        return None;
+    }
+    let (reader, read) = (reader.name(), read.name());
+    let message = format!(
+        "{reader}: iChannel{channel} reads {read}, which the scene does not have: it reads black"
+    );
+    Some(Diagnostic {
+        pass: Some(reader.to_owned()),
+        ..Diagnostic::warning("missing-pass", message)
+    })
 }
 
 /// ShaderToy's kinds of pass.

@@ -21,11 +21,7 @@ pub(super) fn translate_text(
     pass: &Pass,
     options: &Options,
 ) -> Result<Program, Vec<Diagnostic>> {
-    let texts: Vec<&str> = pass
-        .sources
-        .iter()
-        .map(|&source| &*files.get(source).text)
-        .collect();
+    let texts = pass.texts(&files);
     let plain = Plain::recognise(pass, &texts);
     let text = preamble::preamble(pass, &texts, plain.as_ref());
     let preamble = files.add("preamble", text);
@@ -57,12 +53,15 @@ impl Text<'_> {
         let strict = options.strict && self.plain.is_none();
         let mut units = vec![self.preamble];
         units.extend(&self.pass.sources);
+        let splices = self.pass.splices.iter();
+        let splices: Vec<_> = splices.map(|one| (one.place, one.text)).collect();
         let preprocessed = preprocess(
             self.files,
             &units,
             &preprocess::Options {
                 defines: &[("HW_PERFORMANCE", "1")],
                 overrides: &options.overrides,
+                splices: &splices,
                 strict,
             },
             Names::default(),
@@ -314,8 +313,7 @@ impl Text<'_> {
     }
 
     fn texts(&self) -> String {
-        let texts = self.pass.sources.iter();
-        texts.map(|&source| &*self.files.get(source).text).collect()
+        self.pass.texts(self.files).concat()
     }
 
     fn unbound_channels(

@@ -1,4 +1,4 @@
-#include "noise.glsl"
+#import "noise.glsl"
 
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     fragColor = vec4(noise(fragCoord));

@@ -156,7 +156,7 @@ fn a_strange_input_is_a_warning() {
     folder
         .run("check a.json")
         .exits(0)
-        .says("warning[unknown-input]: iChannel0 has an input of the unknown type `smell`")
+        .says("warning[unknown-input]: Image: iChannel0 has an input of the unknown `type` `smell`")
         .says("a.json: fine");
 }
 

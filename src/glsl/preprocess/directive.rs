@@ -8,7 +8,7 @@ use super::findings::Findings;
 use super::lexer::{Lexeme, Lexer};
 use super::macros::{Macro, MacroId, Macros, Maker};
 use super::token::{Kind, Token};
-use super::{Options, define, request};
+use super::{MAX_SPLICES, Options, define, request};
 use crate::glsl::names::Names;
 use crate::source::{Diagnostic, FileId, SourceMap, Span};
 
@@ -20,6 +20,9 @@ pub(super) struct Directives<'a> {
     units: Vec<FileId>,
     /// Where the text is being read.
     pub lexer: Option<Lexer<'a>>,
+    /// The texts around it, where it stands in the place of a directive, with what `line_offset` and `file_number`
+    /// were there.
+    outer: Vec<(Lexer<'a>, i64, i32)>,
     at_line_start: bool,
     /// What `__LINE__` is ahead of the lexer's own count, from 1.
     line_offset: i64,
@@ -114,6 +117,7 @@ impl<'a> Directives<'a> {
             files,
             units: units.iter().rev().copied().collect(),
             lexer: None,
+            outer: Vec::new(),
             at_line_start: true,
             line_offset: 1,
             file_number: 0,
@@ -214,6 +218,13 @@ impl<'a> Directives<'a> {
         let Some(lexer) = self.lexer.take() else {
             return;
         };
+        if let Some((outer, line_offset, file_number)) = self.outer.pop() {
+            self.lexer = Some(outer);
+            self.line_offset = line_offset;
+            self.file_number = file_number;
+            self.at_line_start = true;
+            return;
+        }
         self.line_offset += i64::from(lexer.lines) + 1;
         if lexer.ends_early() {
             self.units.clear();
@@ -225,10 +236,39 @@ impl<'a> Directives<'a> {
     }
 
     fn begin_unit(&mut self) {
-        self.lexer = self.units.pop().map(|file| {
-            let text = &self.files.get(file).text;
-            Lexer::new(file, text, self.options.strict, &mut self.findings)
-        });
+        self.lexer = self.units.pop().map(|file| self.lexer_of(file));
+    }
+
+    fn lexer_of(&mut self, file: FileId) -> Lexer<'a> {
+        let text = &self.files.get(file).text;
+        Lexer::new(file, text, self.options.strict, &mut self.findings)
+    }
+
+    /// Passes over a directive that the host has obeyed, and goes on in the text that stands there instead.
+    fn splice(&mut self) -> bool {
+        let Some(lexer) = &mut self.lexer else {
+            return false;
+        };
+        let here = lexer.token_place();
+        let splices = self.options.splices;
+        let key = |span: &Span| (span.file, span.start);
+        let found = splices.binary_search_by_key(&key(&here), |(place, _)| key(place));
+        let Ok(found) = found else { return false };
+        let (place, text) = splices[found];
+        lexer.skip_to(place.end as usize);
+        if let Some(text) = text
+            && !self.is_skipping
+            && self.outer.len() < MAX_SPLICES
+        {
+            let inner = self.lexer_of(text);
+            if let Some(outer) = self.lexer.replace(inner) {
+                let state = (outer, self.line_offset, self.file_number);
+                self.outer.push(state);
+                self.line_offset = 1;
+            }
+        }
+        self.at_line_start = true;
+        true
     }
 
     /// Finds out whether what follows is skipped.
@@ -270,6 +310,9 @@ impl<'a> Directives<'a> {
     /// Obeys the directive behind a `#`.
     #[cold]
     fn directive(&mut self) {
+        if self.splice() {
+            return;
+        }
         let mut rest = self.rest_of_line();
         if rest.is_empty() {
             return;

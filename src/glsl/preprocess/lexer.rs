@@ -61,6 +61,18 @@ impl<'a> Lexer<'a> {
         self.span(self.at, self.at)
     }
 
+    /// Where the token that was scanned last stands.
+    pub fn token_place(&self) -> Span {
+        self.span(self.start, self.end)
+    }
+
+    /// Goes on at another place of the same line, behind this one.
+    pub fn skip_to(&mut self, at: usize) {
+        if self.at <= at && at <= self.text.len() && self.text.is_char_boundary(at) {
+            self.at = at;
+        }
+    }
+
     /// Whether nothing may follow this file, because a NUL ends it.
     pub fn ends_early(&self) -> bool {
         self.ends_early

@@ -30,6 +30,9 @@ use number::NumberError;
 /// The longest name or number that a browser takes.
 const MAX_SPELLING: usize = 1024;
 
+/// Texts in texts, where each stands in the place of a directive.
+const MAX_SPLICES: usize = 32;
+
 /// Macro calls in arguments of macro calls, as deep as a browser goes.
 const MAX_DEPTH: usize = 1000;
 
@@ -52,6 +55,9 @@ pub struct Options<'a> {
     /// says about these names is overlooked. Their tokens come from the first definition that they
     /// override, or from the beginning of the text where it has none.
     pub overrides: &'a [(String, String)],
+    /// Directives that the host has obeyed already, in the order of files and places: each counts as a blank line, or
+    /// as the text that stands there instead. Such a text may hold more of them.
+    pub splices: &'a [(Span, Option<FileId>)],
     /// Whether all that a browser refuses is an error. Else what is clear all the same is a warning:
     /// `#extension`, `#version 300 es`, a byte-order mark, names, numbers and macro calls that are
     /// too long.

@@ -1,7 +1,9 @@
 //! What is bound to a pass's channels.
 
 use serde::Deserialize;
+use serde_json::value::RawValue;
 
+use super::super::site::Item;
 use super::super::{BufferLetter, CHANNELS, Channel, Filter, Input, Media, Sampling, Wrap};
 use super::pass::buffer_of_id;
 use super::{Loose, Reader};
@@ -12,7 +14,7 @@ const CUBE_A: &str = "4dX3Rr";
 
 /// An entry of `inputs`, with the keys of both dialects.
 #[derive(Deserialize)]
-struct Entry {
+struct Entry<'a> {
     id: Option<Loose>,
     #[serde(rename = "type")]
     kind: Option<Loose>,
@@ -20,43 +22,103 @@ struct Entry {
     filepath: Option<Loose>,
     src: Option<Loose>,
     channel: Loose,
-    sampler: Option<Settings>,
+    #[serde(borrow)]
+    sampler: Option<&'a RawValue>,
 }
 
 #[derive(Default, Deserialize)]
-struct Settings {
-    filter: Option<Loose>,
-    wrap: Option<Loose>,
-    vflip: Option<Loose>,
+struct Settings<'a> {
+    #[serde(borrow)]
+    filter: Option<&'a RawValue>,
+    #[serde(borrow)]
+    wrap: Option<&'a RawValue>,
+    #[serde(borrow)]
+    vflip: Option<&'a RawValue>,
 }
 
-/// Reads one input. An inner error is a warning: the channel then stays unbound, as on the site.
+/// What an entry binds; nothing where a warning says why.
+#[derive(Default)]
+pub(super) struct Bound {
+    pub channel: Option<(usize, Channel)>,
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// Reads one input of a pass.
 pub(super) fn channel<'a>(
     reader: &Reader<'a>,
+    pass: &str,
     part: &'a str,
-) -> Result<Result<(usize, Channel), Diagnostic>, Diagnostic> {
+) -> Result<Bound, Diagnostic> {
     let entry: Entry = reader.parse(part)?;
     let text = |value: Option<Loose>| value.map_or_else(String::new, |value| value.0);
-    let warning = |words: String| {
-        Ok(Err(
-            Diagnostic::warning("unknown-input", words).at(reader.start(part))
-        ))
+    let warning = |code, words: String| Diagnostic {
+        pass: Some(pass.to_owned()),
+        ..Diagnostic::warning(code, format!("{pass}: {words}")).at(reader.start(part))
+    };
+    let unbound = |words: String| {
+        Ok(Bound {
+            channel: None,
+            warnings: vec![warning("unknown-input", words)],
+        })
     };
     let Some(index) = (0..CHANNELS).find(|index| entry.channel.0 == index.to_string()) else {
-        return warning(format!(
-            "there is no channel `{}`: this input is left out",
+        let words = format!(
+            "`channel` is `{}`, but there are only 0 to 3: this input is left out",
             entry.channel.0
-        ));
+        );
+        return unbound(words);
     };
     let kind = text(entry.kind.or(entry.ctype));
     let (id, path) = (text(entry.id), text(entry.filepath.or(entry.src)));
-    let Some(input) = input(&kind, id, path) else {
-        return warning(format!(
-            "iChannel{index} has an input of the unknown type `{kind}`: it is left unbound"
-        ));
+    let Some(input) = input(&kind, id.clone(), path) else {
+        return unbound(match &*kind {
+            "buffer" => format!(
+                "iChannel{index} is a buffer, but its `id` `{id}` names none: it is left unbound"
+            ),
+            _ => format!(
+                "iChannel{index} has an input of the unknown `type` `{kind}`: it is left unbound"
+            ),
+        });
     };
-    let sampling = sampling(&input, &entry.sampler.unwrap_or_default());
-    Ok(Ok((index, Channel { input, sampling })))
+    let mut warnings = Vec::new();
+    if let Some(Media::Site { id, path }) = input.media()
+        && !matches!(input, Input::MusicStream(_))
+        && Item::of_media(id, path).is_none_or(|item| item.kind.name() != input.name())
+    {
+        let words = format!(
+            "iChannel{index} reads a {} with the `id` `{id}`, which the site does not have",
+            input.name()
+        );
+        warnings.push(warning("unknown-media", words));
+    }
+    let settings = match entry.sampler {
+        Some(sampler) => reader.parse(sampler.get())?,
+        None => Settings::default(),
+    };
+    let mut unknown = |key: &str, value: &'a RawValue, read_as: &str| {
+        let words = format!(
+            "{pass}: iChannel{index} has the unknown `{key}` {}, which is read as {read_as}",
+            shortened(value.get())
+        );
+        warnings.push(Diagnostic {
+            pass: Some(pass.to_owned()),
+            ..Diagnostic::warning("unknown-sampler", words).at(reader.start(value.get()))
+        });
+    };
+    let sampling = sampling(reader, &input, &settings, &mut unknown)?;
+    Ok(Bound {
+        channel: Some((index, Channel { input, sampling })),
+        warnings,
+    })
+}
+
+/// As much of a value as a message has room for.
+fn shortened(value: &str) -> String {
+    const ROOM: usize = 40;
+    match value.char_indices().nth(ROOM) {
+        Some((end, _)) => format!("`{}…`", &value[..end]),
+        None => format!("`{value}`"),
+    }
 }
 
 fn input(kind: &str, id: String, path: String) -> Option<Input> {
@@ -96,33 +158,47 @@ fn buffer_of_path(path: &str) -> Option<BufferLetter> {
 
 /// What is not said has the site's default for a new input of that kind; what is said has the
 /// meaning that the site's own code gives it.
-fn sampling(input: &Input, settings: &Settings) -> Sampling {
-    let (filter, wrap, vflip) = match input {
-        // The site reads the keyboard like this whatever the JSON says.
-        Input::Keyboard => {
-            return Sampling {
-                filter: Filter::Nearest,
-                wrap: Wrap::Clamp,
-                vflip: true,
-            };
-        }
-        Input::Noise | Input::Texture(_) | Input::Volume(_) => (Filter::Mipmap, Wrap::Repeat, true),
-        Input::Cubemap(_) | Input::CubeBuffer => (Filter::Mipmap, Wrap::Clamp, false),
-        _ => (Filter::Linear, Wrap::Clamp, true),
-    };
-    let said = |value: &Option<Loose>| value.as_ref().map(|value| value.0.clone());
-    Sampling {
-        filter: match said(&settings.filter).as_deref() {
-            None => filter,
-            Some("mipmap") => Filter::Mipmap,
-            Some("linear") => Filter::Linear,
-            Some(_) => Filter::Nearest,
-        },
-        wrap: match said(&settings.wrap).as_deref() {
-            None => wrap,
-            Some("clamp") => Wrap::Clamp,
-            Some(_) => Wrap::Repeat,
-        },
-        vflip: said(&settings.vflip).map_or(vflip, |value| value == "true"),
+fn sampling<'a>(
+    reader: &Reader<'a>,
+    input: &Input,
+    settings: &Settings<'a>,
+    unknown: &mut dyn FnMut(&str, &'a RawValue, &str),
+) -> Result<Sampling, Diagnostic> {
+    let mut sampling = Sampling::usual(input);
+    // The site reads the keyboard like this whatever the JSON says.
+    if *input == Input::Keyboard {
+        return Ok(sampling);
     }
+    if let Some(value) = settings.filter {
+        sampling.filter = match &*reader.parse::<Loose>(value.get())?.0 {
+            "mipmap" => Filter::Mipmap,
+            "linear" => Filter::Linear,
+            "nearest" => Filter::Nearest,
+            _ => {
+                unknown("filter", value, "`nearest`");
+                Filter::Nearest
+            }
+        };
+    }
+    if let Some(value) = settings.wrap {
+        sampling.wrap = match &*reader.parse::<Loose>(value.get())?.0 {
+            "clamp" => Wrap::Clamp,
+            "repeat" => Wrap::Repeat,
+            _ => {
+                unknown("wrap", value, "`repeat`");
+                Wrap::Repeat
+            }
+        };
+    }
+    if let Some(value) = settings.vflip {
+        sampling.vflip = match &*reader.parse::<Loose>(value.get())?.0 {
+            "true" => true,
+            "false" => false,
+            _ => {
+                unknown("vflip", value, "`false`");
+                false
+            }
+        };
+    }
+    Ok(sampling)
 }

@@ -79,6 +79,7 @@ pub(super) fn load(loading: &mut Loading, stem: &str, file: FileId) -> Result<Pa
     }
     Ok(Parts {
         name: title.unwrap_or_else(|| stem.to_owned()),
+        size: None,
         passes: passes(&mut loading.files, file, tabs),
     })
 }
@@ -95,6 +96,7 @@ fn passes(files: &mut SourceMap, file: FileId, tabs: Vec<pass::Parsed>) -> Vec<P
                 kind,
                 sources: vec![files.add(format!("{json}: {}", kind.name()), tab.code)],
                 channels: tab.channels,
+                splices: Vec::new(),
             }),
         }
     }

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-use super::super::{BufferLetter, CHANNELS, Channel, PassKind};
+use super::super::{BufferLetter, CHANNELS, Channel, PassKind, missing_pass};
 use super::{Loose, Reader, input, problem};
 use crate::source::Diagnostic;
 
@@ -13,6 +13,15 @@ pub(super) enum Tab {
     /// Text that every pass begins with.
     Common,
     Pass(PassKind),
+}
+
+impl Tab {
+    pub fn name(self) -> &'static str {
+        match self {
+            Tab::Common => "Common",
+            Tab::Pass(kind) => kind.name(),
+        }
+    }
 }
 
 /// An entry of `renderpass`.
@@ -51,7 +60,7 @@ pub(super) fn tabs<'a>(
         passes.push(reader.parse::<RenderPass>(entry.get())?);
     }
     let letters = letters(reader, entries, &passes)?;
-    let mut tabs = Vec::new();
+    let (mut tabs, mut reads) = (Vec::new(), Vec::new());
     for ((pass, entry), letter) in passes.into_iter().zip(entries).zip(letters) {
         let kind = match (&*pass.kind.0, letter) {
             ("common", _) => Tab::Common,
@@ -67,10 +76,12 @@ pub(super) fn tabs<'a>(
         };
         let mut channels = [const { None }; CHANNELS];
         for part in pass.inputs.iter().flatten() {
-            match input::channel(reader, part.get())? {
-                // Of two inputs on one channel, the site binds the later.
-                Ok((index, channel)) => channels[index] = Some(channel),
-                Err(warning) => warnings.push(warning),
+            let bound = input::channel(reader, kind.name(), part.get())?;
+            warnings.extend(bound.warnings);
+            // Of two inputs on one channel, the site binds the later.
+            if let Some((index, channel)) = bound.channel {
+                reads.push((kind, index, channel.input.clone(), part.get()));
+                channels[index] = Some(channel);
             }
         }
         tabs.push(Parsed {
@@ -78,6 +89,12 @@ pub(super) fn tabs<'a>(
             code: pass.code,
             channels,
         });
+    }
+    let is_there = |kind| tabs.iter().any(|tab| tab.kind == Tab::Pass(kind));
+    for (tab, index, input, part) in reads {
+        let Tab::Pass(kind) = tab else { continue };
+        let missing = missing_pass(kind, index, &input, is_there);
+        warnings.extend(missing.map(|found| found.at(reader.start(part))));
     }
     Ok(tabs)
 }

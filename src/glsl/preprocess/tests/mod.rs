@@ -21,6 +21,7 @@ fn run_with(text: &str, strict: bool, overrides: &[(&str, &str)]) -> Outcome {
         .collect();
     let options = Options {
         defines: &[("HOST", "1")],
+        splices: &[],
         overrides: &overrides,
         strict,
     };

@@ -1,7 +1,32 @@
 //! The media that the site offers to its shaders: a closed list, told by what 96,768 published shaders use. The files
-//! themselves are not ours; see [`stand_in`](super::stand_in).
+//! themselves are not ours; see [`stand_in`](crate::media::stand_in).
 
-use super::Format::{self, R8, Rgba8};
+use super::Media;
+use Format::{R8, Rgba8};
+
+/// What one texel is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// One number from 0 to 1 in 8 bits; it is read as (r, 0, 0, 1).
+    R8,
+    /// Red, green, blue and alpha, each from 0 to 1 in 8 bits.
+    Rgba8,
+    /// One 32-bit float.
+    R32Float,
+    /// Four 32-bit floats.
+    Rgba32Float,
+}
+
+impl Format {
+    /// Bytes of a texel.
+    pub fn bytes(self) -> usize {
+        match self {
+            Format::R8 => 1,
+            Format::Rgba8 | Format::R32Float => 4,
+            Format::Rgba32Float => 16,
+        }
+    }
+}
 
 /// One of the site's files.
 #[derive(Debug, PartialEq, Eq)]
@@ -44,6 +69,55 @@ pub enum Kind {
     Video,
     /// A piece of music.
     Music,
+}
+
+impl Kind {
+    /// What this kind of input is called, by the site's JSON and in a manifest.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Texture { .. } => "texture",
+            Kind::Cubemap { .. } => "cubemap",
+            Kind::Volume { .. } => "volume",
+            Kind::Video => "video",
+            Kind::Music => "music",
+        }
+    }
+}
+
+impl Item {
+    /// Where its file lies on the site.
+    pub fn path(&self) -> String {
+        format!("/media/a/{}.{}", self.hash, self.extension)
+    }
+
+    /// How a scene refers to it.
+    pub fn media(&self) -> Media {
+        Media::Site {
+            id: self.id.to_owned(),
+            path: self.path(),
+        }
+    }
+
+    /// The item that a scene refers to. The site's two dialects of JSON agree on paths, not on ids.
+    pub fn of_media(id: &str, path: &str) -> Option<&'static Item> {
+        let by_hash = |item: &&Item| path.contains(item.hash);
+        let by_id = |item: &&Item| item.id == id;
+        ITEMS
+            .iter()
+            .find(by_hash)
+            .or_else(|| ITEMS.iter().find(by_id))
+    }
+
+    /// The item that a person means: by its name, in capitals or not, its id, its hash or its path.
+    pub fn named(text: &str) -> Option<&'static Item> {
+        ITEMS.iter().find(|item| {
+            item.name.eq_ignore_ascii_case(text)
+                || item.id == text
+                || item.hash == text
+                || text == format!("{}.{}", item.hash, item.extension)
+                || text == item.path()
+        })
+    }
 }
 
 use Kind::{Cubemap, Music, Texture, Video, Volume};
