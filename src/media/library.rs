@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use super::site::{ITEMS, Item, Kind};
-use super::{Content, Format, MediaError, Texels, picture, stand_in, volume};
+use super::sound::{Sound, SoundFeed};
+use super::{Content, Feed, Format, MediaError, Texels, picture, stand_in, volume};
 use crate::scene::{Input, Media, NOISE_SIZE, noise_texture};
 
 /// The most bytes of a file that is read as a whole.
@@ -125,21 +126,33 @@ impl Library {
             Input::Noise | Input::Texture(_) | Input::Cubemap(_) | Input::Volume(_) => self
                 .texels(input)
                 .map(|texels| Some(Content::Still(texels))),
-            Input::Music(_)
-            | Input::MusicStream(_)
-            | Input::Mic
-            | Input::Video(_)
-            | Input::Webcam => Ok(None),
+            Input::Music(media) | Input::MusicStream(media) => {
+                let sound = match self.file(media) {
+                    Some(path) => Sound::open(&path)?,
+                    None => Sound::synthetic(&media.to_string()),
+                };
+                Ok(Some(live(SoundFeed::music(Arc::new(sound)))))
+            }
+            Input::Mic => Ok(Some(live(SoundFeed::microphone(Arc::new(Sound::murmur()))))),
+            Input::Video(_) | Input::Webcam => Ok(None),
+        }
+    }
+
+    /// The user's file for an input, if there is one.
+    fn file(&self, media: &Media) -> Option<PathBuf> {
+        match media {
+            Media::Files(paths) => paths.first().cloned(),
+            Media::Site { id, path } => match self.origin(Item::of_media(id, path)?) {
+                Origin::File(path) => Some(path),
+                Origin::StandIn => None,
+            },
         }
     }
 
     /// Whether an input names something that the user has no copy of.
     fn is_missing(&self, input: &Input) -> bool {
         match input.media() {
-            Some(Media::Site { id, path }) => {
-                Item::of_media(id, path).is_none_or(|item| self.origin(item) == Origin::StandIn)
-            }
-            Some(Media::Files(_)) => false,
+            Some(media) => self.file(media).is_none(),
             None => matches!(input, Input::Mic | Input::Webcam),
         }
     }
@@ -269,6 +282,10 @@ impl Library {
     }
 }
 
+fn live(feed: impl Feed + 'static) -> Content {
+    Content::Live(Arc::new(Mutex::new(feed)))
+}
+
 fn fits(item: &Item, input: &Input) -> bool {
     matches!(
         (item.kind, input),
@@ -343,9 +360,10 @@ fn bytes(path: &Path) -> Result<Vec<u8>, MediaError> {
         .read_to_end(&mut bytes)
         .map_err(io)?;
     if bytes.len() as u64 > MAX_BYTES {
-        return Err(MediaError::TooLarge {
+        return Err(MediaError::NotA {
             path: path.to_owned(),
-            words: format!("more than {} MiB", MAX_BYTES >> 20),
+            what: "input",
+            words: format!("it has more than {} MiB", MAX_BYTES >> 20),
         });
     }
     Ok(bytes)

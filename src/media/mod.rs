@@ -6,6 +6,7 @@ mod feed;
 mod inputs;
 mod library;
 mod picture;
+pub mod sound;
 pub mod stand_in;
 mod texels;
 mod volume;

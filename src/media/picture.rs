@@ -78,7 +78,8 @@ fn decode(path: &Path, bytes: &[u8]) -> Result<DynamicImage, MediaError> {
     if width.max(height) > MAX_SIDE || width.min(height) == 0 {
         return Err(MediaError::TooLarge {
             path: path.to_owned(),
-            words: format!("{width} × {height} texels, at most {MAX_SIDE} each way"),
+            size: [width, height, 1],
+            limit: MAX_SIDE,
         });
     }
     let mut reader = reader()?;
@@ -86,10 +87,10 @@ fn decode(path: &Path, bytes: &[u8]) -> Result<DynamicImage, MediaError> {
     limits.max_alloc = Some(MAX_MEMORY);
     reader.limits(limits);
     reader.decode().map_err(|error| match error {
-        image::ImageError::Limits(_) => MediaError::TooLarge {
-            path: path.to_owned(),
-            words: format!("decoding it takes more than {} MiB", MAX_MEMORY >> 20),
-        },
+        image::ImageError::Limits(_) => not_a_picture(format!(
+            "decoding it takes more than {} MiB",
+            MAX_MEMORY >> 20
+        )),
         error => not_a_picture(error.to_string()),
     })
 }

@@ -31,10 +31,8 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Texels, MediaError> {
     if size.iter().any(|&side| side > MAX_SIDE) {
         return Err(MediaError::TooLarge {
             path: path.to_owned(),
-            words: format!(
-                "{} × {} × {} texels, at most {MAX_SIDE} each way",
-                size[0], size[1], size[2]
-            ),
+            size,
+            limit: MAX_SIDE,
         });
     }
     let format = match (header[16], u16::from_le_bytes([header[18], header[19]])) {
@@ -101,7 +99,9 @@ mod tests {
         assert!(words(b"BI").contains("no header"));
         assert!(words(&[0; 40]).contains("does not begin with `BIN`"));
         assert!(words(&file([2, 2, 2], 1, 0, &[0; 7])).contains("7 of 8 bytes"));
-        assert!(words(&file([1 << 31, 1 << 31, 1 << 31], 4, 10, &[])).contains("at most 512"));
+        assert!(
+            words(&file([1 << 31, 1 << 31, 1 << 31], 4, 10, &[])).contains("at most 512 a side")
+        );
         assert!(words(&file([2, 0, 2], 1, 0, &[])).contains("a side is 0"));
         assert!(words(&file([1, 1, 1], 3, 0, &[0; 3])).contains("3 channels"));
     }
