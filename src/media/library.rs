@@ -4,6 +4,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
+use super::film::{Film, TestCard};
 use super::site::{ITEMS, Item, Kind};
 use super::sound::{Sound, SoundFeed};
 use super::{Content, Feed, Format, MediaError, Texels, picture, stand_in, volume};
@@ -134,7 +135,14 @@ impl Library {
                 Ok(Some(live(SoundFeed::music(Arc::new(sound)))))
             }
             Input::Mic => Ok(Some(live(SoundFeed::microphone(Arc::new(Sound::murmur()))))),
-            Input::Video(_) | Input::Webcam => Ok(None),
+            Input::Video(media) => Ok(Some(match self.file(media) {
+                Some(path) => live(Film::open(&path)?),
+                None => live(match item(media) {
+                    Some(item) => TestCard::item(item),
+                    None => TestCard::film(&media.to_string()),
+                }),
+            })),
+            Input::Webcam => Ok(Some(live(TestCard::webcam()))),
         }
     }
 
@@ -142,7 +150,7 @@ impl Library {
     fn file(&self, media: &Media) -> Option<PathBuf> {
         match media {
             Media::Files(paths) => paths.first().cloned(),
-            Media::Site { id, path } => match self.origin(Item::of_media(id, path)?) {
+            Media::Site { .. } => match self.origin(item(media)?) {
                 Origin::File(path) => Some(path),
                 Origin::StandIn => None,
             },
@@ -279,6 +287,14 @@ impl Library {
         loaded.retain(|(_, texels)| Arc::strong_count(texels) > 1);
         loaded.push((key, Arc::clone(&texels)));
         Ok(texels)
+    }
+}
+
+/// Which of the site's media it is, if it is one.
+fn item(media: &Media) -> Option<&'static Item> {
+    match media {
+        Media::Site { id, path } => Item::of_media(id, path),
+        Media::Files(_) => None,
     }
 }
 

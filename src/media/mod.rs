@@ -3,6 +3,7 @@
 
 mod error;
 mod feed;
+pub mod film;
 mod inputs;
 mod library;
 mod picture;

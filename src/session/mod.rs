@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use crate::media::{Inputs, Library, MediaError};
+use crate::media::{Content, Inputs, Library, MediaError};
 use crate::render::{Format, Gpu, GpuError, Renderer};
 use crate::scene::{self, Input, LoadError, LoadErrorKind, Pass, PassKind, Scene, Source};
 use crate::source::{Diagnostic, Report, Span};
@@ -207,6 +207,7 @@ fn warnings(scene: &Scene, programs: &[Program]) -> Vec<Diagnostic> {
 /// Loads what the channels of a scene's passes read, as far as their programs use it.
 fn inputs(scene: &Scene, programs: &[Program], library: &Library) -> Result<Inputs, Report> {
     let mut diagnostics = Vec::new();
+    let mut opened: Vec<(&Input, Option<Content>)> = Vec::new();
     let mut passes = Vec::new();
     for (pass, program) in scene.passes.iter().zip(programs) {
         passes.push(std::array::from_fn(|index| {
@@ -222,10 +223,16 @@ fn inputs(scene: &Scene, programs: &[Program], library: &Library) -> Result<Inpu
             if !program.channels[index].texture && !program.reads_about_channels() {
                 return None;
             }
-            library.open(&channel.input).unwrap_or_else(|error| {
+            // What several channels read plays once.
+            if let Some((_, content)) = opened.iter().find(|(input, _)| *input == &channel.input) {
+                return Clone::clone(content);
+            }
+            let content = library.open(&channel.input).unwrap_or_else(|error| {
                 diagnostics.push(unreadable(scene, pass, index, &error));
                 None
-            })
+            });
+            opened.push((&channel.input, content.clone()));
+            content
         }));
     }
     match diagnostics.is_empty() {
