@@ -81,6 +81,60 @@ pub fn exr(size: glam::UVec2, channels: Vec<(String, Vec<f32>)>) -> io::Result<V
     Ok(bytes.into_inner())
 }
 
+/// Writes a folder of files, which appears whole or not at all. One that is there and holds something is refused, but
+/// with `overwrite`: then these files are written into it, all of them before the first takes its place, and others stay.
+pub fn folder(path: &Path, files: &[(String, Vec<u8>)], overwrite: bool) -> io::Result<()> {
+    let is_empty = match fs::read_dir(path) {
+        Ok(mut entries) => entries.next().is_none(),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => true,
+        Err(error) => return Err(error),
+    };
+    if !is_empty {
+        return match overwrite {
+            true => replace_in(path, files),
+            false => Err(io::ErrorKind::DirectoryNotEmpty.into()),
+        };
+    }
+    let parent = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    fs::create_dir_all(parent)?;
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".vitrine-").suffix(".part");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o777));
+    let aside = builder.tempdir_in(parent)?;
+    for (name, bytes) in files {
+        fs::write(aside.path().join(name), bytes)?;
+    }
+    // An empty folder stands in the way on some systems.
+    if path.exists() {
+        fs::remove_dir(path)?;
+    }
+    fs::rename(aside.path(), path)?;
+    // It has another name now.
+    let _ = aside.keep();
+    Ok(())
+}
+
+fn replace_in(path: &Path, files: &[(String, Vec<u8>)]) -> io::Result<()> {
+    let mut whole = Vec::new();
+    for (name, bytes) in files {
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".vitrine-").suffix(".part");
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let mut file = builder.tempfile_in(path)?;
+        file.write_all(bytes)?;
+        whole.push((file, path.join(name)));
+    }
+    for (file, place) in whole {
+        file.persist(place).map_err(|error| error.error)?;
+    }
+    Ok(())
+}
+
 /// Writes a file under another name beside its place and renames it when it is whole.
 pub fn place(path: &Path, bytes: &[u8], overwrite: bool) -> io::Result<()> {
     let folder = match path.parent() {

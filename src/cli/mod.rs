@@ -47,6 +47,10 @@ pub enum Command {
     Inspect(InspectArgs),
     /// List the site's media, and which of them are stand-ins
     Media(MediaListArgs),
+    /// Write a scene folder of a shader in ShaderToy's JSON
+    Import(ImportArgs),
+    /// Write a scene folder as ShaderToy's JSON
+    Pack(PackArgs),
     /// List the graphics adapters, and what to install when there is none
     #[cfg(feature = "gpu")]
     Doctor,
@@ -298,6 +302,27 @@ pub struct MediaListArgs {
     /// How to write the list
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub struct ImportArgs {
+    /// A shader in ShaderToy's JSON, or `-` for standard input
+    pub shader: PathBuf,
+    /// The folder to write
+    #[arg(long, value_name = "DIR")]
+    pub into: PathBuf,
+    /// Write into a folder that is not empty; files of other names stay
+    #[arg(long)]
+    pub overwrite: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct PackArgs {
+    /// A scene folder
+    pub folder: PathBuf,
+    /// Write to a file instead of standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

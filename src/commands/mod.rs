@@ -3,6 +3,7 @@
 mod check;
 #[cfg(feature = "gpu")]
 mod doctor;
+mod exchange;
 #[cfg(feature = "gpu")]
 mod export;
 #[cfg(feature = "gpu")]
@@ -60,6 +61,8 @@ pub fn run(command: Command, started: Instant) -> anyhow::Result<ExitCode> {
         Command::Translate(args) => translate::translate(args),
         Command::Inspect(args) => inspect::inspect(args),
         Command::Media(args) => media::media(args),
+        Command::Import(args) => exchange::import(&args),
+        Command::Pack(args) => exchange::pack(&args),
         #[cfg(feature = "gpu")]
         Command::Doctor => doctor::doctor(),
     }

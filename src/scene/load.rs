@@ -50,6 +50,28 @@ pub enum LoadErrorKind {
 
 /// Reads a scene and resolves everything that it refers to.
 pub fn load(source: &Source) -> Result<Scene, LoadError> {
+    let (parts, loading) = attempt(source, |loading| match source {
+        Source::Path(path) if path.is_dir() => folder::load(loading, path),
+        Source::Path(path) => file::load(loading, path),
+        Source::Text { name, bytes } => file::load_text(loading, name, bytes),
+        Source::Embedded => folder::load(loading, Path::new(folder::EMBEDDED)),
+    })?;
+    Ok(Scene {
+        // It goes to terminals and title bars, which obey control characters.
+        name: parts.name.replace(char::is_control, " "),
+        size: parts.size,
+        passes: parts.passes,
+        warnings: loading.warnings,
+        files: loading.files,
+        read: loading.read,
+    })
+}
+
+/// Reads something of a source, and keeps the files that it looked at, whatever comes of it.
+pub(super) fn attempt<T>(
+    source: &Source,
+    work: impl FnOnce(&mut Loading) -> Result<T, Failure>,
+) -> Result<(T, Loading), LoadError> {
     let mut loading = Loading {
         files: SourceMap::default(),
         warnings: Vec::new(),
@@ -60,22 +82,8 @@ pub fn load(source: &Source) -> Result<Scene, LoadError> {
             _ => Disk::Real,
         },
     };
-    let result = match source {
-        Source::Path(path) if path.is_dir() => folder::load(&mut loading, path),
-        Source::Path(path) => file::load(&mut loading, path),
-        Source::Text { name, bytes } => file::load_text(&mut loading, name, bytes),
-        Source::Embedded => folder::load(&mut loading, Path::new(folder::EMBEDDED)),
-    };
-    match result {
-        Ok(parts) => Ok(Scene {
-            // It goes to terminals and title bars, which obey control characters.
-            name: parts.name.replace(char::is_control, " "),
-            size: parts.size,
-            passes: parts.passes,
-            warnings: loading.warnings,
-            files: loading.files,
-            read: loading.read,
-        }),
+    match work(&mut loading) {
+        Ok(made) => Ok((made, loading)),
         Err(Failure::Scene(diagnostics)) => Err(LoadError {
             kind: LoadErrorKind::Scene(Report {
                 files: loading.files,
@@ -162,6 +170,24 @@ impl Loading {
         }
         .map_err(|error| Failure::Io(path.to_owned(), error))?;
         self.accept(&path.display().to_string(), &bytes)
+    }
+
+    /// Reads the text of a pass as it is, characters included that no shader can have.
+    pub fn read_code(&mut self, path: &Path) -> Result<String, Failure> {
+        self.depends_on(path);
+        let bytes = read_at_most(path, MAX_BYTES + 1)
+            .map_err(|error| Failure::Io(path.to_owned(), error))?;
+        match String::from_utf8(bytes) {
+            Ok(text) if text.len() as u64 <= MAX_BYTES => Ok(text),
+            Ok(text) => {
+                let file = self.accept(&path.display().to_string(), text.as_bytes())?;
+                Ok(self.files.get(file).text.clone())
+            }
+            Err(error) => {
+                let file = self.accept(&path.display().to_string(), error.as_bytes())?;
+                Ok(self.files.get(file).text.clone())
+            }
+        }
     }
 
     /// Takes bytes as a text, if they are one.

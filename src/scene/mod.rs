@@ -5,6 +5,7 @@
 
 mod channel;
 mod directive;
+mod exchange;
 mod file;
 mod folder;
 mod json;
@@ -13,6 +14,7 @@ mod noise;
 pub mod site;
 
 pub use channel::{Channel, Filter, Input, Media, SamplerKind, Sampling, Wrap};
+pub use exchange::{Imported, Packed, SIDECAR, import, pack};
 pub use load::{LoadError, LoadErrorKind, MAX_BYTES, Source, load};
 pub use noise::{NOISE_SIZE, noise_texture};
 

@@ -337,7 +337,11 @@ impl<'a> Directives<'a> {
             Directive::Include => self.report(
                 wrong(name.span, "GLSL has no `#include`").hint("paste the text in its place"),
             ),
-            Directive::Unknown => self.report(wrong(name.span, "there is no such directive")),
+            Directive::Unknown => self.report(
+                wrong(name.span, "there is no such directive").hint(
+                    "GLSL has define, undef, if, ifdef, ifndef, elif, else, endif, error, pragma and line",
+                ),
+            ),
         }
     }
 

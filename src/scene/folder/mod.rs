@@ -26,7 +26,10 @@ const MAX_SIDE: u32 = 16_384;
 
 /// What a scene folder consists of, before its texts are read.
 pub(super) struct Plan {
-    pub name: String,
+    /// What the manifest calls the scene.
+    pub name: Option<String>,
+    /// What the folder is called.
+    pub folder_name: String,
     pub description: Option<String>,
     pub size: Option<[u32; 2]>,
     /// The files of the Common texts.
@@ -60,7 +63,7 @@ pub(super) fn load(loading: &mut Loading, folder: &Path) -> Result<Parts, Failur
         });
     }
     Ok(Parts {
-        name: plan.name,
+        name: plan.name.unwrap_or(plan.folder_name),
         size: plan.size,
         passes,
     })
@@ -83,7 +86,7 @@ pub(super) fn plan(loading: &mut Loading, folder: &Path) -> Result<Plan, Failure
 }
 
 /// A folder whose files have the customary names.
-fn by_names(loading: &mut Loading, folder: &Path, name: String) -> Result<Plan, Failure> {
+fn by_names(loading: &mut Loading, folder: &Path, folder_name: String) -> Result<Plan, Failure> {
     let image = folder.join("image.glsl");
     if !loading.is_file(&image) {
         loading.depends_on(&image);
@@ -120,7 +123,8 @@ fn by_names(loading: &mut Loading, folder: &Path, name: String) -> Result<Plan, 
         },
     });
     Ok(Plan {
-        name,
+        name: None,
+        folder_name,
         description: None,
         size: None,
         common: optional(loading, folder, "common.glsl")
@@ -211,7 +215,8 @@ fn from_manifest(
         });
     }
     Ok(Plan {
-        name: manifest.name.clone().unwrap_or(folder_name),
+        name: manifest.name.clone(),
+        folder_name,
         size: size(&manifest, &references)?,
         description: manifest.description,
         common,

@@ -14,7 +14,7 @@ use serde_json::value::RawValue;
 use super::load::{Failure, Loading, Parts};
 use super::{Pass, PassKind};
 use crate::source::{Diagnostic, FileId, SourceMap, Span};
-use pass::Tab;
+pub(super) use pass::{Parsed, Tab};
 
 /// How many lists and objects may stand around a shader: real files have one or two.
 const MAX_WRAPPERS: usize = 4;
@@ -53,18 +53,30 @@ pub(super) fn is_json(text: &str) -> bool {
     begins('{', &['"', '}']) || begins('[', &['{', '[', ']'])
 }
 
-/// Makes a scene of the one shader in a JSON text.
-pub(super) fn load(loading: &mut Loading, stem: &str, file: FileId) -> Result<Parts, Failure> {
-    // The text is borrowed while passes are added to the files beside it.
-    let text = loading.files.get(file).text.clone();
-    let reader = Reader { file, text: &text };
+/// The one shader in a JSON text.
+pub(super) struct Shader<'a> {
+    /// Its object in the text.
+    pub object: &'a str,
+    /// What its author calls it.
+    pub title: Option<String>,
+    /// Its passes, in the text's order.
+    pub tabs: Vec<Parsed>,
+}
+
+/// Finds the one shader in a JSON text, and reads its passes.
+pub(super) fn read<'a>(
+    file: FileId,
+    text: &'a str,
+    warnings: &mut Vec<Diagnostic>,
+) -> Result<Shader<'a>, Diagnostic> {
+    let reader = Reader { file, text };
     let whole = text.trim_start_matches('\u{feff}').trim();
     let (object, place) = reader.shader(whole, MAX_WRAPPERS)?;
     let raw_passes = object.renderpass.ok_or_else(|| {
         problem("missing field `renderpass`, the list of passes").at(reader.start(place))
     })?;
     let title = reader.name_of(object.info);
-    let tabs = pass::tabs(&reader, &raw_passes, &mut loading.warnings)?;
+    let tabs = pass::tabs(&reader, &raw_passes, warnings)?;
     if !tabs
         .iter()
         .any(|tab| tab.kind == Tab::Pass(PassKind::Image))
@@ -74,9 +86,20 @@ pub(super) fn load(loading: &mut Loading, stem: &str, file: FileId) -> Result<Pa
             "the shader has no Image pass, so that there is nothing to show",
         )
         .at(reader.start(place))
-        .hint("one entry of `renderpass` has the type `image`")
-        .into());
+        .hint("one entry of `renderpass` has the type `image`"));
     }
+    Ok(Shader {
+        object: place,
+        title,
+        tabs,
+    })
+}
+
+/// Makes a scene of the one shader in a JSON text.
+pub(super) fn load(loading: &mut Loading, stem: &str, file: FileId) -> Result<Parts, Failure> {
+    // The text is borrowed while passes are added to the files beside it.
+    let text = loading.files.get(file).text.clone();
+    let Shader { title, tabs, .. } = read(file, &text, &mut loading.warnings)?;
     Ok(Parts {
         name: title.unwrap_or_else(|| stem.to_owned()),
         size: None,
@@ -85,7 +108,7 @@ pub(super) fn load(loading: &mut Loading, stem: &str, file: FileId) -> Result<Pa
 }
 
 /// Adds the tabs' texts to the files. Every pass consists of the Common texts and its own.
-fn passes(files: &mut SourceMap, file: FileId, tabs: Vec<pass::Parsed>) -> Vec<Pass> {
+fn passes(files: &mut SourceMap, file: FileId, tabs: Vec<Parsed>) -> Vec<Pass> {
     let json = files.get(file).name.clone();
     let mut common = Vec::new();
     let mut passes = Vec::new();
@@ -257,7 +280,7 @@ fn problem(words: impl Into<String>) -> Diagnostic {
 
 /// Text that one dialect writes as a string and the other as a number.
 #[derive(Debug)]
-struct Loose(String);
+pub(super) struct Loose(pub String);
 
 impl<'de> Deserialize<'de> for Loose {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

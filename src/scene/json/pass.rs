@@ -9,7 +9,7 @@ use crate::source::Diagnostic;
 
 /// What an entry of `renderpass` is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Tab {
+pub(in crate::scene) enum Tab {
     /// Text that every pass begins with.
     Common,
     Pass(PassKind),
@@ -25,7 +25,7 @@ impl Tab {
 }
 
 /// An entry of `renderpass`.
-pub(super) struct Parsed {
+pub(in crate::scene) struct Parsed {
     pub kind: Tab,
     pub code: String,
     pub channels: [Option<Channel>; CHANNELS],
