@@ -47,7 +47,7 @@ struct Entry {
 fn put_together(loading: &mut Loading, folder: &Path) -> Result<String, Failure> {
     let plan = folder::plan(loading, folder)?;
     refuse_what_the_site_lacks(&plan)?;
-    let (mut object, entries) = kept(loading, folder)?;
+    let (mut object, entries) = kept(loading, folder, &plan.folder_name)?;
     let mut entries = with_plan(entries, &plan);
     in_order(&mut entries, &plan);
     let mut passes = Vec::new();
@@ -98,12 +98,13 @@ fn refuse_what_the_site_lacks(plan: &Plan) -> Result<(), Diagnostic> {
         .hint("name one of the site's media instead, as in `texture = \"RGBA Noise Medium\"`"))
 }
 
-/// What an import kept of the site's JSON: the shader without its passes, and those.
-fn kept(loading: &mut Loading, folder: &Path) -> Result<(Object, Vec<Entry>), Failure> {
+/// What an import kept of the site's JSON: the shader without its passes, and those. Without it the shader is a new one
+/// of this name.
+fn kept(loading: &mut Loading, folder: &Path, name: &str) -> Result<(Object, Vec<Entry>), Failure> {
     let path = folder.join(SIDECAR);
     if !loading.is_file(&path) {
         loading.depends_on(&path);
-        return Ok((new_shader(), Vec::new()));
+        return Ok((new_shader(name), Vec::new()));
     }
     let file = loading.read(&path)?;
     let text = loading.files.get(file).text.clone();
@@ -122,8 +123,8 @@ fn kept(loading: &mut Loading, folder: &Path) -> Result<(Object, Vec<Entry>), Fa
     for pass in &passes {
         let pass: Object =
             serde_json::from_str(pass.get()).map_err(|_| wrong(loading, "a pass is no object"))?;
-        let name = pass.text(FILE_KEY);
-        let name = name.ok_or_else(|| {
+        let code = pass.text(FILE_KEY);
+        let code = code.ok_or_else(|| {
             wrong(
                 loading,
                 "a pass does not name the file of its text as `code-file`",
@@ -134,7 +135,7 @@ fn kept(loading: &mut Loading, folder: &Path) -> Result<(Object, Vec<Entry>), Fa
         as_read.replace(FILE_KEY, "code", "");
         with_code.push(raw(&as_read));
         objects.push(pass);
-        files.push(name);
+        files.push(code);
     }
     let tabs = tabs(file, &with_code).map_err(|problem| wrong(loading, &problem.message))?;
     let mut entries = Vec::new();
@@ -157,12 +158,12 @@ fn tabs(file: FileId, passes: &[Box<RawValue>]) -> Result<Vec<Parsed>, Diagnosti
 }
 
 /// A shader that the site has not seen.
-fn new_shader() -> Object {
+fn new_shader(name: &str) -> Object {
     let mut info = Object::default();
     info.set("id", "");
     info.set("date", "0");
     info.set("viewed", 0);
-    info.set("name", "");
+    info.set("name", name);
     info.set("username", "");
     info.set("description", "");
     info.set("likes", 0);
@@ -303,17 +304,12 @@ fn set_inputs(entry: &mut Entry, planned: &Planned) {
 fn set_info(object: &mut Object, plan: &Plan) {
     let info = object.get("info");
     let parsed = info.and_then(|info| serde_json::from_str::<Object>(info.get()).ok());
-    let is_new = parsed.is_none();
     let mut info = parsed.unwrap_or_default();
-    let is_nameless = info.text("id").is_none_or(|id| id.is_empty());
-    let folder = Some(&plan.folder_name).filter(|_| is_nameless && !is_new);
-    let name = plan
-        .name
-        .as_ref()
-        .or(folder.filter(|_| info.text("name").as_deref() == Some("")));
     let mut is_changed = false;
-    for (key, value) in [("name", name), ("description", plan.description.as_ref())] {
-        if let Some(value) = value.filter(|&value| info.text(key).as_ref() != Some(value)) {
+    for (key, value) in [("name", &plan.name), ("description", &plan.description)] {
+        if let Some(value) = value
+            && info.text(key).as_ref() != Some(value)
+        {
             info.set(key, value);
             is_changed = true;
         }

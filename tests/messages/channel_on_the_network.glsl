@@ -1,0 +1,5 @@
+#iChannel0 "https://example.org/rock.png"
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    fragColor = vec4(1.0);
+}

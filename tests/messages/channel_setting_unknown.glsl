@@ -1,0 +1,6 @@
+#iChannel0 "self"
+#iChannel0::WrapMode "Mirrored"
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    fragColor = vec4(1.0);
+}
