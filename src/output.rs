@@ -1,4 +1,4 @@
-//! Files that appear whole or not at all.
+//! Files that appear whole or not at all: pictures and sounds.
 
 use std::fs;
 use std::io::{self, Write as _};
@@ -6,8 +6,13 @@ use std::path::{Path, PathBuf};
 
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder as _};
+use tempfile::NamedTempFile;
 
 use crate::frame::FrameImage;
+
+mod sound;
+
+pub use sound::{Samples, WavSink};
 
 /// Writes PNG files that appear whole or not at all.
 #[derive(Debug, Default)]
@@ -16,7 +21,7 @@ pub struct PngSink {
     encoded: Vec<u8>,
 }
 
-/// Why a picture is not on disk.
+/// Why a picture or a sound is not on disk.
 #[derive(Debug, thiserror::Error)]
 #[error("cannot write `{}`: {error}", path.display())]
 pub struct WriteError {
@@ -137,6 +142,14 @@ fn replace_in(path: &Path, files: &[(String, Vec<u8>)]) -> io::Result<()> {
 
 /// Writes a file under another name beside its place and renames it when it is whole.
 pub fn place(path: &Path, bytes: &[u8], overwrite: bool) -> io::Result<()> {
+    let mut file = part(path)?;
+    file.write_all(bytes)?;
+    persist(file, path, overwrite)
+}
+
+/// A file under another name beside the place of `path`, which vanishes unless it is put there. The folder is created if it
+/// is missing.
+fn part(path: &Path) -> io::Result<NamedTempFile> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -145,14 +158,17 @@ pub fn place(path: &Path, bytes: &[u8], overwrite: bool) -> io::Result<()> {
     builder.prefix(".vitrine-").suffix(".part");
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = match builder.tempfile_in(folder) {
+    match builder.tempfile_in(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             fs::create_dir_all(folder)?;
-            builder.tempfile_in(folder)?
+            builder.tempfile_in(folder)
         }
-        other => other?,
-    };
-    file.write_all(bytes)?;
+        other => other,
+    }
+}
+
+/// Gives a whole file its name.
+fn persist(file: NamedTempFile, path: &Path, overwrite: bool) -> io::Result<()> {
     let placed = match overwrite {
         true => file.persist(path),
         false => file.persist_noclobber(path),
