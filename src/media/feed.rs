@@ -27,8 +27,11 @@ pub trait Feed: Send + std::fmt::Debug {
 
 /// A time that can be computed with: from 0 to some ten thousand years.
 pub(super) fn sane(time: f64) -> f64 {
-    // `max` gives the number where the other is NaN.
-    time.max(0.0).min(3e11)
+    match time > 0.0 {
+        true => time.min(3e11),
+        // Also what is no number.
+        false => 0.0,
+    }
 }
 
 #[cfg(test)]

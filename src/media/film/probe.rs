@@ -90,7 +90,7 @@ fn facts(text: &str, demuxer: &'static str, path: &Path) -> Result<Facts, MediaE
         let (over, under) = value(text, key)?.split_once('/')?;
         let rate = [over.parse::<u32>().ok()?, under.parse::<u32>().ok()?];
         let per_second = f64::from(rate[0]) / f64::from(rate[1]);
-        (per_second >= 0.1 && per_second <= FASTEST).then_some(rate)
+        (0.1..=FASTEST).contains(&per_second).then_some(rate)
     };
     // Both the film's and its pictures' length are called so; the longest counts, as in browsers.
     let lengths = text
