@@ -1,0 +1,107 @@
+use std::path::PathBuf;
+use std::time::Instant;
+
+use super::*;
+use crate::media::site::ITEMS;
+
+#[test]
+fn everything_but_films_and_music_has_a_stand_in() {
+    for item in ITEMS {
+        match item.kind {
+            // The small ones whole, and of the others a reduced one: those take long without optimisation.
+            Kind::Texture { size, .. } if size[0] * size[1] <= 256 * 256 => {
+                assert!(make(item).is_some(), "{}", item.name);
+            }
+            Kind::Texture { format, .. } => {
+                let made = bytes(item.name, [64, 64, 1]).unwrap();
+                assert_eq!(made.len(), 64 * 64 * format.bytes(), "{}", item.name);
+            }
+            Kind::Cubemap { .. } => {
+                let made = bytes(item.name, [4, 4, 6]).unwrap();
+                assert_eq!(made.len(), 4 * 4 * 6 * 4, "{}", item.name);
+            }
+            Kind::Volume { size, format } => {
+                let made = make(item).unwrap();
+                assert_eq!((made.size, made.format), ([size; 3], format));
+            }
+            Kind::Video | Kind::Music => assert_eq!(make(item), None),
+        }
+    }
+}
+
+#[test]
+fn things_that_repeat_do_so_without_a_seam() {
+    let tiling = [
+        "Abstract 1",
+        "Abstract 2",
+        "Abstract 3",
+        "Lichen",
+        "Organic 1",
+        "Organic 2",
+        "Organic 3",
+        "Organic 4",
+        "Pebbles",
+        "Rock Tiles",
+        "Rusty Metal",
+        "Stars",
+        "Wood",
+    ];
+    let n = 96;
+    for name in tiling {
+        let made = bytes(name, [n, n, 1]).unwrap();
+        let step = made.len() / (n * n);
+        // How much neighbours differ on the mean, from one column to the next and from one row to the next.
+        let columns = |from: usize, to: usize| {
+            let differs = |y: usize| made[(y * n + from) * step].abs_diff(made[(y * n + to) * step]);
+            (0..n).map(|y| f32::from(differs(y))).sum::<f32>() / n as f32
+        };
+        let rows = |from: usize, to: usize| {
+            let differs = |x: usize| made[(from * n + x) * step].abs_diff(made[(to * n + x) * step]);
+            (0..n).map(|x| f32::from(differs(x))).sum::<f32>() / n as f32
+        };
+        let most = |inner: &dyn Fn(usize) -> f32| (0..n - 1).map(inner).fold(0.0, f32::max);
+        let (across, down) = (columns(n - 1, 0), rows(n - 1, 0));
+        assert!(across <= 1.2 * most(&|x| columns(x, x + 1)), "{name}: {across} across");
+        assert!(down <= 1.2 * most(&|y| rows(y, y + 1)), "{name}: {down} down");
+    }
+}
+
+#[test]
+fn the_same_comes_out_each_time_and_everywhere() {
+    // The mean byte, weighted by its place: robust against a last bit, not against another picture.
+    let weighted = |name: &str| {
+        let made = bytes(name, [48, 48, 1]).unwrap();
+        let sum: f64 = (0_u32..)
+            .zip(&made)
+            .map(|(at, &byte)| f64::from(byte) * f64::from(at % 251))
+            .sum();
+        sum / made.len() as f64
+    };
+    for (name, expected) in EXPECTED {
+        let found = weighted(name);
+        assert!((found - expected).abs() < 3.0, "{name}: {found}, not {expected}");
+    }
+}
+
+const EXPECTED: &[(&str, f64)] = &[];
+
+/// Writes everything into the folder that `STAND_INS` names, to be looked at: cubemaps and volumes as rows of pictures.
+#[test]
+#[ignore = "it writes files to look at"]
+fn show() {
+    let Some(folder) = std::env::var_os("STAND_INS").map(PathBuf::from) else {
+        return;
+    };
+    for item in ITEMS {
+        let start = Instant::now();
+        let Some(made) = make(item) else { continue };
+        println!("{:30} {:7.3} s", item.name, start.elapsed().as_secs_f64());
+        let colour = match made.format.bytes() {
+            1 => image::ExtendedColorType::L8,
+            _ => image::ExtendedColorType::Rgba8,
+        };
+        let [width, height, depth] = made.size;
+        let path = folder.join(item.name).with_extension("png");
+        image::save_buffer(path, &made.bytes, width, height * depth, colour).unwrap();
+    }
+}
