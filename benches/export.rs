@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 
 use glam::UVec2;
 use vitrine::export::{Frames, Job, OutPattern, Summary, export};
-use vitrine::frame::Clock;
+use vitrine::frame::{Clock, Controls, Date};
 use vitrine::render::{AdapterChoice, Gpu, Watchdog};
 use vitrine::scene::Source;
 use vitrine::session::{Session, Setup};
@@ -113,6 +113,8 @@ fn exported_once(
     let job = Job {
         frames: Frames::Range(0..frames),
         fps: 60.0,
+        date: Date::exported(),
+        controls: Controls::Untouched,
         size,
         out: pattern(folder.path()),
         overwrite: false,

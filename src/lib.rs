@@ -18,6 +18,7 @@
 pub mod export;
 pub mod frame;
 pub mod glsl;
+pub mod input_script;
 #[cfg(feature = "gpu")]
 pub mod measure;
 pub mod media;

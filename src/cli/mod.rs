@@ -12,7 +12,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 #[cfg(feature = "window")]
 use value::scale;
 #[cfg(feature = "gpu")]
-use value::{FrameRange, Size, not_negative, positive, time};
+use value::{FrameRange, Mouse, Size, not_negative, positive, time};
 
 #[cfg(feature = "gpu")]
 use define::vary;
@@ -83,6 +83,15 @@ pub struct RunArgs {
     /// Draw at most this many frames per second [default: the display's rate]
     #[arg(long, value_name = "N", value_parser = positive)]
     pub fps_limit: Option<f64>,
+    /// The local date and time of the first frame, as in 2026-11-25T12:00:00 [default: now]
+    #[arg(long, value_name = "DATE")]
+    pub date: Option<String>,
+    /// Record mouse and keys for `vitrine export --input`
+    #[arg(long, value_name = "FILE")]
+    pub record_input: Option<PathBuf>,
+    /// Replace the recording if it exists already
+    #[arg(long, requires = "record_input")]
+    pub overwrite: bool,
     /// Do not watch the files for changes
     #[arg(long)]
     pub no_watch: bool,
@@ -110,12 +119,22 @@ pub struct ExportArgs {
     /// The one frame at this time in seconds
     #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
     pub time: Option<f64>,
-    /// Frames per second: frame n is drawn with iTime = n/N
-    #[arg(long, value_name = "N", default_value = "60", value_parser = positive)]
-    pub fps: f64,
+    /// Frames per second: frame n is drawn with iTime = n/N. With `--input`, the recording's by default
+    /// [default: 60]
+    #[arg(long, value_name = "N", value_parser = positive)]
+    pub fps: Option<f64>,
     /// Size of the pictures in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720")]
     pub size: Size,
+    /// Replay mouse and keys that `vitrine run --record-input` recorded
+    #[arg(long, value_name = "FILE", conflicts_with = "mouse")]
+    pub input: Option<PathBuf>,
+    /// `iMouse` in every frame, in pixels from the bottom left; without Z and W held down at X,Y
+    #[arg(long, value_name = "X,Y[,Z,W]", allow_hyphen_values = true)]
+    pub mouse: Option<Mouse>,
+    /// The local date and time in every frame [default: 2024-01-01T12:00:00]
+    #[arg(long, value_name = "DATE")]
+    pub date: Option<String>,
     /// Replace files that exist already
     #[arg(long)]
     pub overwrite: bool,

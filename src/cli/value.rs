@@ -64,6 +64,30 @@ impl FromStr for FrameRange {
     }
 }
 
+/// `iMouse`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mouse(pub [f32; 4]);
+
+impl FromStr for Mouse {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers = text.split(',').map(|part| number(part.trim()));
+        let numbers: Vec<f64> = numbers.collect::<Result<_, _>>()?;
+        let bound = 1e9;
+        if numbers.iter().any(|number| number.abs() > bound) {
+            return Err("no picture is so large".to_owned());
+        }
+        let numbers: Vec<f32> = numbers.iter().map(|&number| number as f32).collect();
+        match numbers[..] {
+            // As on the site: z is positive while the button is down, w in the frame of the press alone.
+            [x, y] => Ok(Mouse([x, y, x, -y])),
+            [x, y, z, w] => Ok(Mouse([x, y, z, w])),
+            _ => Err("write it as X,Y or X,Y,Z,W, as in 320,180".to_owned()),
+        }
+    }
+}
+
 fn number(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
@@ -116,6 +140,25 @@ mod tests {
             "1.5x2",
         ] {
             assert!(size(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn mice() {
+        let mouse = |text: &str| text.parse::<Mouse>().map(|mouse| mouse.0);
+        assert_eq!(mouse("3,4"), Ok([3.0, 4.0, 3.0, -4.0]));
+        assert_eq!(mouse("3, 4, -5, 6.5"), Ok([3.0, 4.0, -5.0, 6.5]));
+        for bad in [
+            "",
+            "3",
+            "3,4,5",
+            "3,4,5,6,7",
+            "a,b",
+            "3,nan",
+            "inf,3",
+            "1e99,0",
+        ] {
+            assert!(mouse(bad).is_err(), "{bad}");
         }
     }
 

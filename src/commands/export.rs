@@ -9,6 +9,8 @@ use serde::Serialize;
 use vitrine::export::{
     self, ExportError, Frames, Job, Layers, OutPattern, Summary, Wanted, export_layers,
 };
+use vitrine::frame::Controls;
+use vitrine::input_script::{self, ScriptError};
 use vitrine::output;
 use vitrine::render::{Gpu, Watchdog};
 use vitrine::report;
@@ -18,10 +20,13 @@ use vitrine::translate::{Output, Probe};
 
 use super::findings::{checks, show_findings};
 use super::media::library;
-use super::opening::{adapter_choice, can_run, explain, gpu_failure, slow_frame, watchdog};
+use super::opening::{adapter_choice, can_run, date, explain, gpu_failure, slow_frame, watchdog};
 use super::progress::Progress;
 use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
 use crate::cli::{Count, ExportArgs, Precision};
+
+/// Frames per second where nothing says otherwise.
+const DEFAULT_FPS: f64 = 60.0;
 
 pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     let job = job(&args)?;
@@ -180,13 +185,38 @@ fn job(args: &ExportArgs) -> anyhow::Result<Job> {
         (None, Some(time)) => Frames::At(time),
         (None, None) => Frames::Range(0..1),
     };
+    let controls = controls(args)?;
+    let fps = args.fps.unwrap_or(match &controls {
+        Controls::Script(script) => script.fps,
+        _ => DEFAULT_FPS,
+    });
     Ok(Job {
         frames,
-        fps: args.fps,
+        fps,
+        date: date(args.date.as_deref())?.unwrap_or_default(),
+        controls,
         size: UVec2::new(args.size.width, args.size.height),
         out,
         overwrite: args.overwrite,
         timed: args.stats.is_some(),
+    })
+}
+
+/// What the frames see of mouse and keys.
+fn controls(args: &ExportArgs) -> anyhow::Result<Controls> {
+    if let Some(path) = &args.input {
+        let script = input_script::read(path).map_err(|error| {
+            let hint = match error {
+                ScriptError::Io { .. } => "",
+                _ => "`vitrine run --record-input FILE` writes one",
+            };
+            failure(error, hint)
+        })?;
+        return Ok(Controls::Script(Arc::new(script)));
+    }
+    Ok(match args.mouse {
+        Some(mouse) => Controls::Mouse(mouse.0.into()),
+        None => Controls::Untouched,
     })
 }
 

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use vitrine::frame::Date;
 use vitrine::render::{AdapterChoice, GpuError, Watchdog};
 use vitrine::report;
 use vitrine::scene::Source;
@@ -16,6 +17,15 @@ pub fn adapter_choice(args: &GpuArgs) -> AdapterChoice {
         Some(name) => AdapterChoice::from_name(name),
         None => AdapterChoice::Auto,
     }
+}
+
+/// The date given on the command line.
+pub fn date(text: Option<&str>) -> anyhow::Result<Option<Date>> {
+    let date = text.map(|text| {
+        let read = text.parse::<Date>();
+        read.map_err(|hint| failure(format!("`--date {text}` is no date"), &hint))
+    });
+    date.transpose()
 }
 
 /// Whether a scene loads, translates and can be drawn; if not, its problems are printed. Asked before

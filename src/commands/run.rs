@@ -1,15 +1,17 @@
+use std::io::{self, ErrorKind};
+use std::path::Path;
 use std::process::ExitCode;
 
 use glam::UVec2;
 use vitrine::scene::Source;
 use vitrine::session::Setup;
 use vitrine::translate;
-use vitrine::window::{self, Options, PlayError};
+use vitrine::window::{self, Options, PlayError, Record};
 
 use super::findings::checks;
 use super::media::library;
-use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
-use super::{SCENE_HAS_PROBLEMS, failure, options, source};
+use super::opening::{adapter_choice, can_run, date, explain, gpu_failure, watchdog};
+use super::{SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
 use crate::cli::RunArgs;
 
 pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
@@ -21,6 +23,15 @@ pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
         checks: checks(args.sanitize),
         ..options(args.define)
     };
+    let date = date(args.date.as_deref())?;
+    let overwrite = args.overwrite;
+    let record = args.record_input.map(|path| Record { path, overwrite });
+    if let Some(record) = &record
+        && !record.overwrite
+        && record.path.exists()
+    {
+        return Err(unrecordable(&record.path, &ErrorKind::AlreadyExists.into()));
+    }
     if !can_run(&source, &translate)? {
         return Ok(SCENE_HAS_PROBLEMS.into());
     }
@@ -35,15 +46,29 @@ pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
         scale: args.scale,
         fps_limit: args.fps_limit,
         watch: !args.no_watch,
+        date,
+        record,
         adapter: adapter_choice(&args.gpu),
     };
     match window::play(options, watchdog(&args.gpu)) {
         Ok(()) => Ok(ExitCode::SUCCESS),
         Err(PlayError::Open(error)) => explain(error).map(Into::into),
         Err(PlayError::Gpu(error)) => Err(gpu_failure(&error)),
+        Err(PlayError::Record { path, error }) => Err(unrecordable(&path, &error)),
         Err(PlayError::Window(message)) => Err(failure(
             format!("no window can be opened: {message}"),
             "is there a display? `vitrine export` draws to files without one",
         )),
+    }
+}
+
+/// Input cannot be recorded to this file.
+fn unrecordable(path: &Path, error: &io::Error) -> anyhow::Error {
+    match error.kind() {
+        ErrorKind::AlreadyExists => failure(
+            format!("`{}` exists already", path.display()),
+            "add `--overwrite` to replace it, or choose another `--record-input`",
+        ),
+        _ => unwritable(path, error),
     }
 }

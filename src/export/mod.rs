@@ -18,7 +18,7 @@ use draw::{Drawing, Outcome};
 use encoders::Encoders;
 use glam::UVec2;
 
-use crate::frame::{Clock, FrameInput};
+use crate::frame::{Clock, Controls, Date, FixedClock, FrameInput};
 use crate::output::WriteError;
 use crate::render::{Extras, Gpu, GpuError, ReadBack, Watchdog};
 use crate::session::{Findings, Session};
@@ -33,6 +33,10 @@ pub struct Job {
     pub frames: Frames,
     /// Frames per second of the fixed clock; positive and finite.
     pub fps: f64,
+    /// `iDate`, which stands still.
+    pub date: Date,
+    /// The mouse and the keys.
+    pub controls: Controls,
     /// Width and height of every picture in pixels.
     pub size: UVec2,
     /// Where the pictures go.
@@ -159,18 +163,24 @@ impl Job {
 
     /// The frames that have to be drawn before the first one that is wanted, because it depends on them.
     pub fn before(&self, feeds_back: bool) -> impl Iterator<Item = (u32, FrameInput)> + '_ {
-        let clock = Clock::fixed(self.fps);
+        let clock = self.clock();
         let first = match &self.frames {
             Frames::Range(range) => range.start,
             Frames::At(time) => clock.at_time(*time, self.size).frame.max(0) as u32,
         };
         let count = if feeds_back { first } else { 0 };
-        (0..count).map(move |number| (number, clock.at(number, self.size)))
+        let mut hands = self.controls.hands(self.size);
+        (0..count).map(move |number| (number, hands(clock.at(number, self.size))))
+    }
+
+    fn clock(&self) -> FixedClock {
+        Clock::fixed(self.fps).on(self.date)
     }
 
     /// Every frame's number and input.
     fn inputs(&self) -> impl Iterator<Item = (u32, FrameInput)> + '_ {
-        let clock = Clock::fixed(self.fps);
+        let clock = self.clock();
+        let mut hands = self.controls.hands(self.size);
         let (range, single) = match &self.frames {
             Frames::Range(range) => (range.clone(), None),
             Frames::At(time) => (0..0, Some(clock.at_time(*time, self.size))),
@@ -178,6 +188,7 @@ impl Job {
         range
             .map(move |number| (number, clock.at(number, self.size)))
             .chain(single.map(|input| (input.frame as u32, input)))
+            .map(move |(number, input)| (number, hands(input)))
     }
 }
 

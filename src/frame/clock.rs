@@ -1,3 +1,4 @@
+use std::str::FromStr;
 use std::time::{Duration, Instant};
 
 use glam::{UVec2, Vec4};
@@ -28,6 +29,12 @@ impl Date {
         Date(jiff::civil::date(2024, 1, 1).at(12, 0, 0, 0))
     }
 
+    /// The date and time this much later.
+    fn after(self, time: Duration) -> Self {
+        let time = jiff::SignedDuration::try_from(time).unwrap_or(jiff::SignedDuration::MAX);
+        Date(self.0.saturating_add(time))
+    }
+
     /// `iDate`: year, month counted from 0, day counted from 1, seconds since midnight.
     pub fn to_vec4(self) -> Vec4 {
         let midnight = self.0.date().to_datetime(jiff::civil::Time::midnight());
@@ -41,13 +48,42 @@ impl Date {
     }
 }
 
+impl Default for Date {
+    /// The date in an export.
+    fn default() -> Self {
+        Date::exported()
+    }
+}
+
+impl FromStr for Date {
+    type Err = String;
+
+    /// Reads `2026-11-25T12:00:00`, as `iDate` is to show it, or a moment with `Z` or an offset, which is shown in
+    /// the system's own time zone.
+    fn from_str(text: &str) -> Result<Self, String> {
+        if let Ok(moment) = text.parse::<jiff::Timestamp>() {
+            let zone = jiff::tz::TimeZone::system();
+            return Ok(Date(moment.to_zoned(zone).datetime()));
+        }
+        let date = text.parse::<DateTime>();
+        date.map(Date)
+            .map_err(|_| "write it as 2026-11-25T12:00:00, or 2026-11-25 alone".to_owned())
+    }
+}
+
 /// The clock of an export: what a frame sees depends on its number alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FixedClock {
     fps: f64,
+    date: Date,
 }
 
 impl FixedClock {
+    /// The same clock with another date, which stands still as well.
+    pub fn on(self, date: Date) -> Self {
+        FixedClock { date, ..self }
+    }
+
     /// The input of frame `frame`: `iTime` = frame / fps, `iTimeDelta` = 1 / fps, `iFrame` = frame.
     pub fn at(&self, frame: u32, resolution: UVec2) -> FrameInput {
         self.input(f64::from(frame) / self.fps, frame, resolution)
@@ -68,7 +104,7 @@ impl FixedClock {
             resolution,
             mouse: Vec4::ZERO,
             keyboard: Keyboard::default(),
-            date: Date::exported().to_vec4(),
+            date: self.date.to_vec4(),
         }
     }
 }
@@ -87,6 +123,10 @@ pub struct Clock {
     rate: f64,
     rate_since: Option<Instant>,
     rate_frames: u32,
+    /// The date that the first frame has, where it is not today's.
+    first_date: Option<Date>,
+    /// When the first frame was drawn.
+    first: Option<Instant>,
 }
 
 impl Default for Clock {
@@ -99,14 +139,28 @@ impl Default for Clock {
             rate: 60.0,
             rate_since: None,
             rate_frames: 0,
+            first_date: None,
+            first: None,
         }
     }
 }
 
 impl Clock {
+    /// A clock whose first frame has this date; from there it runs on, also while time is paused, as the
+    /// real one does. A reset goes back to it.
+    pub fn from_date(date: Date) -> Self {
+        Clock {
+            first_date: Some(date),
+            ..Clock::default()
+        }
+    }
+
     /// A clock with a fixed step of 1 / `fps` seconds; `fps` is positive and finite.
     pub fn fixed(fps: f64) -> FixedClock {
-        FixedClock { fps }
+        FixedClock {
+            fps,
+            date: Date::exported(),
+        }
     }
 
     /// The input of the next frame, drawn now. The mouse is left at rest for the caller to fill in.
@@ -127,6 +181,11 @@ impl Clock {
             self.last = Some(now);
             self.measure_rate(now);
         }
+        let first = *self.first.get_or_insert(now);
+        let date = match self.first_date {
+            Some(first_date) => first_date.after(now.saturating_duration_since(first)),
+            None => date,
+        };
         let frame = self.next_frame;
         self.next_frame = frame.saturating_add(1);
         FrameInput {
@@ -174,6 +233,7 @@ impl Clock {
     pub fn reset(&mut self) {
         *self = Clock {
             paused: self.paused,
+            first_date: self.first_date,
             ..Clock::default()
         };
     }
@@ -288,5 +348,44 @@ mod tests {
             rate = live.after(0.01).frame_rate;
         }
         assert!((rate - 100.0).abs() < 3.0, "{rate}");
+    }
+
+    #[test]
+    fn dates_are_read_as_they_are_shown() {
+        let shown = |text: &str| text.parse::<Date>().map(|date| date.to_vec4().to_array());
+        assert_eq!(
+            shown("2026-11-25T12:00:01.5"),
+            Ok([2026.0, 10.0, 25.0, 43_201.5])
+        );
+        assert_eq!(shown("2026-11-25 00:00"), shown("2026-11-25"));
+        assert!(shown("2026-11-25T12:00:00Z").is_ok());
+        assert!(shown("2026-11-25T12:00:00+01:00").is_ok());
+        for bad in [
+            "",
+            "today",
+            "2026-13-01",
+            "2026-11-25T25:00:00",
+            "99999-01-01",
+        ] {
+            assert!(shown(bad).is_err(), "{bad}");
+        }
+        let last = "9999-12-31T23:59:59".parse::<Date>().expect("a date");
+        assert_eq!(last.after(Duration::MAX).to_vec4().x, 9999.0);
+    }
+
+    #[test]
+    fn a_given_date_runs_on_from_the_first_frame() {
+        let mut live = Live::new();
+        live.clock = Clock::from_date("2026-11-25T23:59:59".parse().expect("a date"));
+        assert_eq!(
+            live.after(7.0).date.to_array(),
+            [2026.0, 10.0, 25.0, 86_399.0]
+        );
+        live.clock.set_paused(true);
+        assert_eq!(live.after(2.0).date.to_array(), [2026.0, 10.0, 26.0, 1.0]);
+        live.clock.reset();
+        assert_eq!(live.after(3.0).date.w, 86_399.0);
+        let still = Clock::fixed(1.0).on("2026-11-25".parse().expect("a date"));
+        assert_eq!(still.at(9, SIZE).date.to_array(), [2026.0, 10.0, 25.0, 0.0]);
     }
 }

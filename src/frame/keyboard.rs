@@ -50,6 +50,12 @@ impl Keyboard {
         self.pressed = Keys::default();
     }
 
+    /// The keys that are held.
+    pub fn held(&self) -> impl Iterator<Item = u8> + use<> {
+        let held = self.held;
+        (0..=u8::MAX).filter(move |&key| held.has(key))
+    }
+
     /// A frame has seen the keys that were pressed.
     pub fn frame_drawn(&mut self) {
         self.pressed = Keys::default();

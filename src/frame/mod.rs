@@ -7,11 +7,13 @@ mod clock;
 mod image;
 mod keyboard;
 mod mouse;
+mod script;
 
 pub use clock::{Clock, Date, FixedClock};
 pub use image::{FloatImage, FrameImage};
 pub use keyboard::Keyboard;
 pub use mouse::Mouse;
+pub use script::{Action, Controls, Event, Player, Script, rescaled};
 
 use glam::{UVec2, Vec4};
 

@@ -11,11 +11,12 @@ use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::keyboard::{Key, ModifiersState};
 use winit::window::WindowId;
 
+use super::hands::Hands;
 use super::input::{self, Command};
 use super::stage::Stage;
 use super::watch::FileWatch;
 use super::{Opened, Options, PlayError, Reload, Wake, picture};
-use crate::frame::{Clock, Keyboard, Mouse};
+use crate::frame::Clock;
 use crate::render::Watchdog;
 use crate::report;
 use crate::scene::Source;
@@ -32,8 +33,7 @@ pub(super) struct App {
     wakes: EventLoopProxy<Wake>,
     watch: Option<FileWatch>,
     clock: Clock,
-    mouse: Mouse,
-    keyboard: Keyboard,
+    hands: Hands,
     pointer: DVec2,
     modifiers: ModifiersState,
     stage: Option<Stage>,
@@ -54,13 +54,12 @@ enum Opening {
 impl App {
     pub fn new(options: Options, watchdog: Watchdog, wakes: EventLoopProxy<Wake>) -> Self {
         App {
+            clock: options.date.map_or_else(Clock::default, Clock::from_date),
             options,
             watchdog,
             wakes,
             watch: None,
-            clock: Clock::default(),
-            mouse: Mouse::default(),
-            keyboard: Keyboard::default(),
+            hands: Hands::default(),
             pointer: DVec2::ZERO,
             modifiers: ModifiersState::empty(),
             stage: None,
@@ -72,6 +71,7 @@ impl App {
 
     /// How playing ended.
     pub fn outcome(self) -> Result<(), PlayError> {
+        self.hands.finish();
         match self.failure {
             Some(failure) => Err(failure),
             None => Ok(()),
@@ -91,6 +91,9 @@ impl App {
         self.watchdog.begin();
         let stage = Stage::open(event_loop, &self.options)?;
         self.watchdog.rest();
+        if let Some(record) = &self.options.record {
+            self.hands.record(record, stage.size(), stage.rate())?;
+        }
         report::show(&stage.session.warnings);
         if self.options.watch {
             self.start_watching(&stage.session.scene.read);
@@ -139,10 +142,7 @@ impl App {
             stage.draw_band(&self.wakes)?;
         } else if stage.wants_frame(&self.clock, now) {
             let mut input = self.clock.tick(stage.size());
-            input.mouse = self.mouse.frame_value();
-            self.mouse.frame_drawn();
-            input.keyboard = self.keyboard;
-            self.keyboard.frame_drawn();
+            self.hands.give(&mut input);
             self.watchdog.begin();
             if self.clock.is_paused() {
                 stage.title_changed();
@@ -229,8 +229,7 @@ impl App {
         }
         if is_new {
             self.clock.reset();
-            self.mouse = Mouse::default();
-            self.keyboard = Keyboard::default();
+            self.hands.let_go();
         }
         if let Some(stage) = &mut self.stage {
             stage.replace(session, reload)?;
@@ -272,8 +271,14 @@ impl App {
     fn obey(&mut self, event_loop: &ActiveEventLoop, command: Command) {
         match command {
             Command::TogglePause => self.clock.set_paused(!self.clock.is_paused()),
+            Command::Step(frames) if frames < 0 && self.hands.is_recording() => {
+                report::tell("there is no way back while input is recorded, but to the start");
+            }
             Command::Step(frames) => self.clock.step(frames),
-            Command::Restart => self.clock.reset(),
+            Command::Restart => {
+                self.clock.reset();
+                self.hands.restart();
+            }
             Command::ToggleFullScreen => {
                 if let Some(stage) = &self.stage {
                     stage.toggle_full_screen();
@@ -307,10 +312,7 @@ impl App {
                 self.obey(event_loop, command);
             }
             (None, Some(code)) if is_scenes => {
-                match is_down {
-                    true => self.keyboard.press(code),
-                    false => self.keyboard.release(code),
-                }
+                self.hands.key(code, is_down);
                 self.input_came();
             }
             _ => {}
@@ -334,17 +336,21 @@ impl App {
     fn point(&mut self, at: PhysicalPosition<f64>) {
         self.pointer = DVec2::new(at.x, at.y);
         if let Some(stage) = &self.stage {
-            self.mouse.moved(stage.pixel_under(self.pointer));
+            self.hands
+                .moved(stage.pixel_under(self.pointer), stage.size());
         }
-        if self.mouse.is_down() {
+        if self.hands.is_dragging() {
             self.input_came();
         }
     }
 
     fn press(&mut self, is_down: bool) {
         match &self.stage {
-            Some(stage) if is_down => self.mouse.press(stage.pixel_under(self.pointer)),
-            _ => self.mouse.release(),
+            Some(stage) if is_down => {
+                let at = stage.pixel_under(self.pointer);
+                self.hands.press(at, stage.size());
+            }
+            _ => self.hands.release(),
         }
         self.input_came();
     }
@@ -410,7 +416,7 @@ impl ApplicationHandler<Wake> for App {
                 ..
             } => self.key(event_loop, &logical_key, state, repeat),
             // What is released elsewhere is not seen.
-            WindowEvent::Focused(false) => self.keyboard.release_all(),
+            WindowEvent::Focused(false) => self.hands.release_keys(),
             WindowEvent::CursorMoved { position, .. } => self.point(position),
             WindowEvent::MouseInput {
                 state,

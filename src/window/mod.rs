@@ -7,18 +7,21 @@
 mod app;
 mod drawing;
 mod findings;
+mod hands;
 mod input;
 mod picture;
 mod stage;
 mod title;
 mod watch;
 
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use glam::UVec2;
 use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
 
+use crate::frame::Date;
 use crate::render::{AdapterChoice, GpuError, Watchdog};
 use crate::scene::Source;
 use crate::session::{OpenError, Session, Setup};
@@ -39,8 +42,21 @@ pub struct Options {
     pub fps_limit: Option<f64>,
     /// Whether to follow changes of the scene's files.
     pub watch: bool,
+    /// The date of the first frame, if it is not today's.
+    pub date: Option<Date>,
+    /// Where mouse and keys are recorded, if they are.
+    pub record: Option<Record>,
     /// The adapter to draw with.
     pub adapter: AdapterChoice,
+}
+
+/// A recording of mouse and keys.
+#[derive(Clone, Debug)]
+pub struct Record {
+    /// The file.
+    pub path: PathBuf,
+    /// Whether it is replaced if it is there already.
+    pub overwrite: bool,
 }
 
 /// Why there is no window any more, other than that it was closed.
@@ -48,6 +64,13 @@ pub struct Options {
 pub enum PlayError {
     /// The system gives no window.
     Window(String),
+    /// Input cannot be recorded.
+    Record {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        error: std::io::Error,
+    },
     /// The driver failed.
     Gpu(GpuError),
     /// The first scene did not open.

@@ -102,6 +102,19 @@ impl Stage {
         self.canvas.target.size()
     }
 
+    /// Frames a second to be expected of a quick scene.
+    pub fn rate(&self) -> f64 {
+        let monitor = self.window.current_monitor();
+        let display = monitor.and_then(|monitor| monitor.refresh_rate_millihertz());
+        let display = display
+            .map(|rate| f64::from(rate) / 1000.0)
+            .filter(|&rate| rate >= 1.0);
+        let display = display.unwrap_or(60.0);
+        self.options
+            .fps_limit
+            .map_or(display, |limit| limit.min(display))
+    }
+
     /// Another scene is being opened, or has been.
     pub fn set_opening(&mut self, is_opening: bool) {
         let now = Instant::now();

@@ -5,7 +5,7 @@ use std::time::Duration;
 use glam::UVec2;
 use serde_json::Value;
 use vitrine::export::{ExportError, Frames, Job, OutPattern, export};
-use vitrine::frame::Clock;
+use vitrine::frame::{Clock, Controls, Date};
 use vitrine::render::Watchdog;
 
 use crate::support::{Folder, draw, gpu, open, pasted, read_png, vitrine};
@@ -20,6 +20,8 @@ fn job(folder: &Folder, frames: Frames) -> Job {
     Job {
         frames,
         fps: 10.0,
+        date: Date::exported(),
+        controls: Controls::Untouched,
         size: UVec2::new(33, 17),
         out: OutPattern::parse(out.to_str().expect("a plain path")).expect("a pattern"),
         overwrite: false,

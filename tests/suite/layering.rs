@@ -12,6 +12,8 @@ use crate::support::repository;
 const RULES: &[(&str, &str, &str)] = &[
     ("source", "", ""),
     ("frame", "", "glam jiff"),
+    ("config", "", "etcetera serde thiserror toml std::fs"),
+    ("input_script", "frame", "glam serde serde_json thiserror std::fs"),
     ("report", "source", "annotate_snippets anstream serde serde_json"),
     ("scene", "source", "image serde serde_json toml std::fs"),
     ("media", "scene", "image realfft symphonia tempfile thiserror std::fs"),
@@ -22,11 +24,11 @@ const RULES: &[(&str, &str, &str)] = &[
     ("measure", "frame media render scene session source translate", "glam plotters serde serde_json toml"),
     ("output", "frame", "exr glam hound image tempfile thiserror std::fs"),
     ("export", "frame output render scene session source translate", "glam thiserror std::fs"),
-    ("window", "frame output render report scene session source translate",
+    ("window", "frame input_script output render report scene session source translate",
         "anstream arboard glam notify winit"),
     ("cli", "", "clap"),
-    ("commands", "cli export frame measure media output render report scene session source translate window",
-        "anstream anyhow ctrlc etcetera glam indicatif serde serde_json std::fs"),
+    ("commands", "cli config export frame input_script measure media output render report scene session source translate web window",
+        "anstream anyhow ctrlc glam indicatif serde serde_json std::fs"),
     ("main", "cli commands", "clap"),
     ("lib", "", ""),
 ];

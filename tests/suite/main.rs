@@ -67,6 +67,8 @@ mod sanitize;
 #[cfg(feature = "gpu")]
 mod scenes;
 #[cfg(feature = "gpu")]
+mod script;
+#[cfg(feature = "gpu")]
 mod stability;
 #[cfg(feature = "gpu")]
 mod webgl2;
