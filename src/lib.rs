@@ -14,6 +14,7 @@
 //! Without the feature `gpu` the steps up to [`translate`] remain, for checking scenes where nothing
 //! can be drawn. `docs/ARCHITECTURE.md` explains the rooms and which of them may use which.
 
+pub mod config;
 #[cfg(feature = "gpu")]
 pub mod export;
 pub mod frame;
@@ -31,5 +32,6 @@ pub mod scene;
 pub mod session;
 pub mod source;
 pub mod translate;
+pub mod web;
 #[cfg(feature = "window")]
 pub mod window;

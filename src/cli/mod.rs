@@ -56,8 +56,8 @@ pub enum Command {
     Doctor,
 }
 
-const SCENE_HELP: &str =
-    "A file of ShaderToy GLSL or JSON, a scene folder, or `-` for standard input";
+const SCENE_HELP: &str = "A file of ShaderToy GLSL or JSON, a scene folder, a shader's id or address on shadertoy.com, \
+     or `-` for standard input";
 
 #[cfg(feature = "gpu")]
 const SANITIZE_HELP: &str = "Look for what GLSL leaves undefined and for what is suspicious: divisions by zero, \
@@ -97,6 +97,8 @@ pub struct RunArgs {
     pub no_watch: bool,
     #[arg(long, help = SANITIZE_HELP)]
     pub sanitize: bool,
+    #[command(flatten)]
+    pub web: WebArgs,
     #[command(flatten)]
     pub define: DefineArgs,
     #[command(flatten)]
@@ -153,6 +155,8 @@ pub struct ExportArgs {
     /// Write where the time went, as JSON
     #[arg(long, value_name = "FILE.json")]
     pub stats: Option<PathBuf>,
+    #[command(flatten)]
+    pub web: WebArgs,
     #[command(flatten)]
     pub define: DefineArgs,
     #[command(flatten)]
@@ -213,6 +217,8 @@ pub struct StabilityArgs {
     #[arg(long, conflicts_with = "format")]
     pub json: bool,
     #[command(flatten)]
+    pub web: WebArgs,
+    #[command(flatten)]
     pub define: DefineArgs,
     #[command(flatten)]
     pub media: MediaArgs,
@@ -229,6 +235,13 @@ pub struct GpuArgs {
     /// Give up when one frame takes longer than this many seconds; 0 waits for ever
     #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = not_negative)]
     pub frame_timeout: f64,
+}
+
+#[derive(Clone, Copy, Debug, Args)]
+pub struct WebArgs {
+    /// Fetch a shader of the site again that was fetched before
+    #[arg(long)]
+    pub refresh: bool,
 }
 
 #[derive(Clone, Debug, Args)]
@@ -249,7 +262,7 @@ pub struct DefineArgs {
 }
 
 const CHECK_HELP: &str = "Files of ShaderToy GLSL or JSON, scene folders, folders of such, \
-                          or `-` for standard input";
+                          shaders' ids or addresses on shadertoy.com, or `-` for standard input";
 
 #[derive(Debug, Args)]
 pub struct CheckArgs {
@@ -277,6 +290,8 @@ pub struct CheckArgs {
     #[arg(long, hide = true)]
     pub worker: bool,
     #[command(flatten)]
+    pub web: WebArgs,
+    #[command(flatten)]
     pub define: DefineArgs,
     /// How to write what was found
     #[arg(long, value_enum, default_value_t = Format::Human)]
@@ -297,6 +312,8 @@ pub struct TranslateArgs {
     #[arg(long, short, value_name = "FILE")]
     pub out: Option<PathBuf>,
     #[command(flatten)]
+    pub web: WebArgs,
+    #[command(flatten)]
     pub define: DefineArgs,
 }
 
@@ -307,6 +324,8 @@ pub struct InspectArgs {
     /// How to write it
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,
+    #[command(flatten)]
+    pub web: WebArgs,
     #[command(flatten)]
     pub define: DefineArgs,
 }

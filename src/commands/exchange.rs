@@ -13,7 +13,7 @@ use crate::cli::{ImportArgs, PackArgs};
 
 /// Writes a scene folder of a shader in JSON.
 pub fn import(args: &ImportArgs) -> anyhow::Result<ExitCode> {
-    let imported = match scene::import(&source(&args.shader)?) {
+    let imported = match scene::import(&source(&args.shader, false)?) {
         Ok(imported) => imported,
         Err(error) => return refused(error),
     };

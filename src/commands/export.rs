@@ -32,7 +32,7 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     let job = job(&args)?;
     // What cannot be written is refused before anything is started.
     job.check_output().map_err(explain_export)?;
-    let source = source(&args.scene)?;
+    let source = source(&args.scene, args.web.refresh)?;
     let mut options = options(args.define.clone());
     if args.precision == Precision::F64 {
         options.precision = vitrine::translate::Precision::Double;

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 
-use etcetera::BaseStrategy as _;
 use serde::Serialize;
+use vitrine::config::{self, Config};
 use vitrine::media::{Entry, Library, Origin, StandIns};
 
 use super::{failure, print, unwritable};
@@ -14,20 +14,24 @@ use crate::cli::{Format, MediaArgs, MediaListArgs};
 
 /// Where the files come from that scenes read.
 pub fn library(args: &MediaArgs) -> anyhow::Result<Arc<Library>> {
-    let stand_ins = match (args.no_stand_ins, cache_folder()) {
+    let stand_ins = match (args.no_stand_ins, config::cache()) {
         (true, _) => StandIns::None,
         (false, Some(folder)) => StandIns::Kept(folder),
         (false, None) => StandIns::Made,
     };
-    let library = Library::new(args.media.as_deref(), stand_ins)
+    let config = configured()?;
+    let folder = args.media.as_deref().or(config.media.as_deref());
+    let library = Library::new(folder, stand_ins)
         .map_err(|error| failure(&error, error.hint()))?;
     Ok(Arc::new(library))
 }
 
-/// The folder for what can be made again.
-fn cache_folder() -> Option<PathBuf> {
-    let folders = etcetera::choose_base_strategy().ok()?;
-    Some(folders.cache_dir().join("vitrine"))
+/// What the user wants in every run.
+pub fn configured() -> anyhow::Result<Config> {
+    Config::load().map_err(|error| {
+        let hint = "its keys are `api_key` and `media`; docs/cli.md describes them";
+        failure(error, hint)
+    })
 }
 
 #[derive(Serialize)]

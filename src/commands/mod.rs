@@ -18,11 +18,12 @@ mod opening;
 mod progress;
 #[cfg(feature = "window")]
 mod run;
+mod source;
 #[cfg(feature = "gpu")]
 mod stability;
 mod translate;
 
-use std::io::{Read as _, Write as _};
+use std::io::Write as _;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -33,6 +34,7 @@ use vitrine::source::Report;
 use vitrine::translate::{Options, Program};
 
 use crate::cli::{self, Command};
+use source::source;
 
 /// Something is wrong with the scene.
 pub const SCENE_HAS_PROBLEMS: u8 = 1;
@@ -99,28 +101,12 @@ fn unwritable(path: &Path, error: &std::io::Error) -> anyhow::Error {
 fn unreadable(path: &Path, error: &std::io::Error) -> anyhow::Error {
     let hint = match error.kind() {
         std::io::ErrorKind::NotFound => {
-            "a scene is a file of ShaderToy GLSL or JSON, a scene folder, or `-` for standard input"
+            "a scene is a file of ShaderToy GLSL or JSON, a scene folder, a shader's address on the site, or `-` for standard input"
         }
         std::io::ErrorKind::PermissionDenied => "its permissions do not let you read it",
         _ => "",
     };
     failure(format!("cannot read `{}`: {error}", path.display()), hint)
-}
-
-/// Where a scene named on the command line comes from; `-` is read here.
-fn source(path: &Path) -> anyhow::Result<Source> {
-    if path != Path::new("-") {
-        return Ok(Source::Path(path.to_owned()));
-    }
-    let mut bytes = Vec::new();
-    std::io::stdin()
-        .take(scene::MAX_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|error| failure(format!("cannot read standard input: {error}"), ""))?;
-    Ok(Source::Text {
-        name: "<stdin>".to_owned(),
-        bytes,
-    })
 }
 
 /// Writes a result to standard output. Whoever reads it may have had enough, as `head` does.

@@ -16,7 +16,7 @@ use crate::cli::RunArgs;
 
 pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
     let source = match &args.scene {
-        Some(path) => source(path)?,
+        Some(path) => source(path, args.web.refresh)?,
         None => Source::Embedded,
     };
     let translate = translate::Options {

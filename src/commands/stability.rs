@@ -13,7 +13,7 @@ use super::{SCENE_HAS_PROBLEMS, options, print, source};
 use crate::cli::{Format, StabilityArgs};
 
 pub fn stability(args: StabilityArgs) -> anyhow::Result<ExitCode> {
-    let source = source(&args.scene)?;
+    let source = source(&args.scene, args.web.refresh)?;
     let options = Options {
         checks: match args.sanitize {
             true => Checks::All,

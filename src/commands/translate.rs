@@ -19,7 +19,7 @@ pub fn translate(args: TranslateArgs) -> anyhow::Result<ExitCode> {
         ));
     }
     let options = options(args.define);
-    let (scene, programs) = match translated(&source(&args.scene)?, &options)? {
+    let (scene, programs) = match translated(&source(&args.scene, args.web.refresh)?, &options)? {
         Translation::Done(scene, programs) => (scene, programs),
         Translation::Problems(report) => {
             report::show(&report);

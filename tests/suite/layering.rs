@@ -23,6 +23,7 @@ const RULES: &[(&str, &str, &str)] = &[
     ("session", "frame media render scene source translate", "glam"),
     ("measure", "frame media render scene session source translate", "glam plotters serde serde_json toml"),
     ("output", "frame", "exr glam hound image tempfile thiserror std::fs"),
+    ("web", "output scene", "serde_json thiserror ureq std::fs"),
     ("export", "frame output render scene session source translate", "glam thiserror std::fs"),
     ("window", "frame input_script output render report scene session source translate",
         "anstream arboard glam notify winit"),

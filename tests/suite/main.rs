@@ -70,6 +70,8 @@ mod scenes;
 mod script;
 #[cfg(feature = "gpu")]
 mod stability;
+#[cfg(feature = "web")]
+mod web;
 #[cfg(feature = "gpu")]
 mod webgl2;
 #[cfg(all(feature = "window", target_os = "linux"))]

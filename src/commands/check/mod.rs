@@ -49,7 +49,7 @@ pub fn check(args: CheckArgs) -> anyhow::Result<ExitCode> {
     let is_handful = names.len() <= HANDFUL && args.jobs.is_none();
     if is_handful && args.timeout.is_none() && args.memory.is_none() {
         for name in &names {
-            each(judge(name, args.format, &options))?;
+            each(judge(name, &args, &options))?;
         }
     } else {
         pool::judge_all(&names, &args, &options, &mut each)?;

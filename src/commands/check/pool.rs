@@ -12,6 +12,7 @@ use std::time::{Duration, Instant};
 use vitrine::translate::Options;
 
 use super::super::failure;
+use super::super::source::comes_from_outside;
 use super::verdict::{Judgement, cut_off, judge};
 use super::worker::OUT_OF_MEMORY;
 use super::{MEMORY_LIMIT, TIME_LIMIT};
@@ -88,9 +89,10 @@ impl<'a> Desk<'a> {
     }
 
     fn judge(&mut self, path: &Path) -> anyhow::Result<Judgement> {
-        // A worker's standard input is taken, and names go to it as text.
-        let Some(name) = path.to_str().filter(|name| *name != "-") else {
-            return Ok(judge(path, self.args.format, self.options));
+        // A worker's standard input is taken, and names go to it as text. Its time is not for waiting on the site.
+        let name = path.to_str().filter(|_| !comes_from_outside(path));
+        let Some(name) = name else {
+            return Ok(judge(path, self.args, self.options));
         };
         let worker = match &mut self.worker {
             Some(worker) => worker,

@@ -9,7 +9,7 @@ use vitrine::source::{Diagnostic, Report};
 use vitrine::translate::{Options, translate};
 
 use super::super::{loaded, source};
-use crate::cli::Format;
+use crate::cli::{CheckArgs, Format};
 
 /// What became of a scene, or of one of its passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -55,8 +55,9 @@ struct PassLine<'a> {
 }
 
 /// Loads and translates a scene.
-pub(super) fn judge(path: &Path, format: Format, options: &Options) -> Judgement {
-    let scene = match source(path).and_then(|source| loaded(&source)) {
+pub(super) fn judge(path: &Path, args: &CheckArgs, options: &Options) -> Judgement {
+    let format = args.format;
+    let scene = match source(path, args.web.refresh).and_then(|source| loaded(&source)) {
         Ok(Ok(scene)) => scene,
         Ok(Err(report)) => return judgement(path, format, None, &report),
         Err(error) => return unreadable(path, format, &error),

@@ -35,7 +35,7 @@ pub(super) fn serve(args: &CheckArgs, options: &Options) -> ExitCode {
         exit(0);
     });
     for name in names {
-        let judgement = judge(Path::new(&name), args.format, options);
+        let judgement = judge(Path::new(&name), args, options);
         let line = serde_json::to_string(&judgement).expect("plain data") + "\n";
         let mut stdout = std::io::stdout().lock();
         if stdout

@@ -19,6 +19,9 @@ pub use golden::golden_text;
 pub use program::vitrine;
 pub use snapshots::{left_over, unfit_for_people};
 
+#[cfg(feature = "web")]
+pub use program::Outcome;
+
 #[cfg(feature = "gpu")]
 pub use expected::Drawing;
 #[cfg(feature = "gpu")]
