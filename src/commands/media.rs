@@ -29,7 +29,7 @@ pub fn library(args: &MediaArgs) -> anyhow::Result<Arc<Library>> {
 /// What the user wants in every run.
 pub fn configured() -> anyhow::Result<Config> {
     Config::load().map_err(|error| {
-        let hint = "its keys are `api_key` and `media`; docs/cli.md describes them";
+        let hint = "it is TOML: `api_key = \"…\"` and `media = \"FOLDER\"`";
         failure(error, hint)
     })
 }

@@ -85,19 +85,14 @@ fn from_site(id: &ShaderId, refresh: bool) -> anyhow::Result<Source> {
 /// The user's own key.
 #[cfg(feature = "web")]
 fn key(id: &ShaderId) -> anyhow::Result<String> {
-    use vitrine::config::{self, Config};
+    use vitrine::config;
 
     const VARIABLE: &str = "SHADERTOY_API_KEY";
     let given = std::env::var(VARIABLE).ok().filter(|key| !key.is_empty());
     if let Some(key) = given {
         return Ok(key);
     }
-    let config = Config::load().map_err(|error| {
-        failure(
-            error,
-            "it is TOML: `api_key = \"…\"` and `media = \"FOLDER\"`",
-        )
-    })?;
+    let config = super::media::configured()?;
     config.api_key.ok_or_else(|| {
         let file = config::path().map_or_else(String::new, |path| {
             format!(", or `api_key = \"…\"` in {}", path.display())

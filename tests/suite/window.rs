@@ -4,12 +4,13 @@ use std::io::{BufRead as _, BufReader, Read as _};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
+use serde_json::Value;
 use x11rb::connection::Connection as _;
 use x11rb::protocol::xproto::{AtomEnum, ConnectionExt as _, ImageFormat, InputFocus, Window};
 use x11rb::protocol::xtest::ConnectionExt as _;
 use x11rb::rust_connection::RustConnection;
 
-use crate::support::{Folder, gpu, still};
+use crate::support::{Folder, gpu, read_png, still};
 
 const WIDTH: u32 = 160;
 const HEIGHT: u32 = 90;
@@ -38,13 +39,7 @@ fn the_window_shows_reloads_and_obeys() {
         return;
     };
     let folder = Folder::with("corners.glsl", SCENE);
-    display.run(
-        folder
-            .path()
-            .join("corners.glsl")
-            .to_str()
-            .expect("a plain path"),
-    );
+    display.run(&folder, &["corners.glsl"]);
     let expected = |text: &str| still(gpu, text, WIDTH, HEIGHT).rgb;
 
     display.until("the scene is shown", |d| {
@@ -98,6 +93,69 @@ fn the_window_shows_reloads_and_obeys() {
     assert!(log.contains("`colour` is not declared"), "{log}");
 }
 
+/// Shows `iMouse` and whether the key A is toggled, in every pixel.
+const TOUCHED: &str = r#"{"ver":"0.1","info":{"id":"touched","name":"touched"},"renderpass":[{"inputs":[
+    {"id":"4dXGRr","type":"keyboard","filepath":"/presets/tex00.jpg","channel":0,
+     "sampler":{"filter":"nearest","wrap":"clamp","vflip":"true","srgb":"false","internal":"byte"}}],
+    "outputs":[{"id":"4dfGRr","channel":0}],"name":"Image","type":"image",
+    "code":"void mainImage(out vec4 c, in vec2 p) {\n    float key = texelFetch(iChannel0, ivec2(65, 2), 0).x;\n    c = vec4(iMouse.xy - iMouse.zw + (p.x < 80.0 ? iMouse.xy : vec2(0.0)), 200.0 * key, 255.0) / 255.0;\n}"}]}"#;
+
+#[test]
+fn what_is_recorded_is_exported_as_it_was_seen() {
+    let Some(_) = gpu() else { return };
+    let Some(mut display) = Display::start() else {
+        return;
+    };
+    let folder = Folder::with("touched.json", TOUCHED);
+    display.run(&folder, &["touched.json", "--record-input", "input.jsonl"]);
+    display.until("the scene is shown", |d| d.title().starts_with("touched"));
+    // On the right is xy - zw, on the left twice xy - zw.
+    let shows = |d: &Display, left: [u8; 3], right: [u8; 3]| {
+        d.picture()
+            .is_some_and(|rgb| pixel(&rgb, 9, 9) == left && pixel(&rgb, 99, 9) == right)
+    };
+    display.point(20, 60);
+    display.button(true);
+    // w is negative in all frames but one.
+    display.until("the press is seen", |d| shows(d, [20, 90, 0], [0, 60, 0]));
+    display.point(50, 70);
+    display.until("the drag is seen", |d| shows(d, [80, 70, 0], [30, 50, 0]));
+    display.button(false);
+    display.until("the release is seen", |d| {
+        shows(d, [120, 70, 0], [70, 50, 0])
+    });
+    display.press_key(0x61);
+    display.until("the key is seen", |d| {
+        shows(d, [120, 70, 200], [70, 50, 200])
+    });
+    let last = display.picture().expect("a picture");
+    display.press_key(ESCAPE);
+    let (code, log) = display.end();
+    assert_eq!(code, Some(0), "{log}");
+
+    let script = String::from_utf8(folder.read("input.jsonl")).expect("it is text");
+    let lines: Vec<Value> = script
+        .lines()
+        .map(|line| serde_json::from_str(line).expect("a line is JSON"))
+        .collect();
+    assert_eq!(
+        (&lines[0]["width"], &lines[0]["height"]),
+        (&WIDTH.into(), &HEIGHT.into())
+    );
+    assert!(lines.iter().any(|line| line["mouse"] == "move"), "{script}");
+    let frame = lines
+        .last()
+        .and_then(|line| line["frame"].as_u64())
+        .expect("a frame");
+    let size = format!("--size {WIDTH}x{HEIGHT} --input input.jsonl");
+    let export = format!("export touched.json {size} --frames {frame}..{}", frame + 1);
+    folder.run(&format!("{export} --out last.png")).exits(0);
+    assert!(
+        read_png(&folder.path().join("last.png")).rgb == last,
+        "{script}"
+    );
+}
+
 fn pixel(rgb: &[u8], x: u32, y: u32) -> &[u8] {
     let at = 3 * (y * WIDTH + x) as usize;
     &rgb[at..at + 3]
@@ -148,9 +206,11 @@ impl Display {
         })
     }
 
-    fn run(&mut self, scene: &str) {
+    fn run(&mut self, folder: &Folder, arguments: &[&str]) {
         let program = Command::new(env!("CARGO_BIN_EXE_vitrine"))
-            .args(["run", scene, "--size", &format!("{WIDTH}x{HEIGHT}")])
+            .args(["run", "--size", &format!("{WIDTH}x{HEIGHT}")])
+            .args(arguments)
+            .current_dir(folder.path())
             .env("DISPLAY", &self.name)
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("WAYLAND_SOCKET")
