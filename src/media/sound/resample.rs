@@ -12,11 +12,18 @@ const STEPS: usize = 512;
 /// Where the kernel cuts, as a part of the lower of both rates' limits: the filter's slope has a width.
 const CUT: f64 = 0.92;
 
+/// Phases between two input samples whose weights are computed in advance; common rates have 441 at most.
+const PHASES: u64 = 1024;
+
 /// Makes samples of [`RATE`] from those of another rate, with a windowed sinc, piece by piece.
 pub(super) struct Resampler {
     rate: u64,
     /// The right half of the kernel over its argument in zeros.
     kernel: Vec<f32>,
+    /// Weights of the input samples for each phase, one row behind the other; empty if there are too many phases.
+    phases: Vec<f32>,
+    /// How much of [`RATE`] lies between two phases.
+    step: u64,
     /// Zeros of the kernel an input sample.
     density: f64,
     /// Input samples on each side that an output sample depends on.
@@ -36,16 +43,27 @@ impl Resampler {
     pub(super) fn new(rate: u32) -> Resampler {
         let density = CUT * f64::min(1.0, f64::from(RATE) / f64::from(rate));
         let reach = (ZEROS as f64 / density).ceil() as u64 + 1;
-        Resampler {
+        let mut resampler = Resampler {
             rate: rate.into(),
             kernel: kernel(),
+            phases: Vec::new(),
+            step: common_divisor(rate.into(), RATE.into()),
             density,
             reach,
             pending: vec![[0.0; 2]; reach as usize],
             base: 0,
             taken: 0,
             made: 0,
+        };
+        let count = u64::from(RATE) / resampler.step;
+        if count <= PHASES {
+            let mut row = vec![0.0; 2 * reach as usize + 1];
+            for phase in 0..count {
+                resampler.weigh(phase as f64 / count as f64, &mut row);
+                resampler.phases.extend(&row);
+            }
         }
+        resampler
     }
 
     /// Takes the next input samples and appends what can be made of them, but not beyond `limit` samples in all.
@@ -71,18 +89,26 @@ impl Resampler {
 
     fn make(&mut self, output: &mut Vec<[f32; 2]>, limit: usize) {
         let out_rate = u64::from(RATE);
+        let taps = 2 * self.reach as usize + 1;
+        let mut row = vec![0.0; taps];
         while output.len() < limit {
             let whole = self.made * self.rate / out_rate;
-            let part = (self.made * self.rate % out_rate) as f64 / out_rate as f64;
+            let part = self.made * self.rate % out_rate;
             // In the padded count the middle lies `reach` further on, so the first needed sample is at `whole`.
             let first = (whole - self.base) as usize;
-            let taps = 2 * self.reach as usize + 1;
             if whole >= self.taken || first + taps > self.pending.len() {
                 break;
             }
+            let phase = (part / self.step) as usize * taps;
+            let weights = match self.phases.get(phase..phase + taps) {
+                Some(weights) => weights,
+                None => {
+                    self.weigh(part as f64 / out_rate as f64, &mut row);
+                    &row
+                }
+            };
             let mut sum = [0.0_f32; 2];
-            for (tap, [left, right]) in self.pending[first..first + taps].iter().enumerate() {
-                let weight = self.weight(tap as f64 - self.reach as f64 - part);
+            for (weight, [left, right]) in weights.iter().zip(&self.pending[first..first + taps]) {
                 sum[0] += weight * left;
                 sum[1] += weight * right;
             }
@@ -98,6 +124,13 @@ impl Resampler {
         }
     }
 
+    /// The weights of all input samples around a place, which lies so far behind the middle one.
+    fn weigh(&self, part: f64, row: &mut [f32]) {
+        for (tap, weight) in row.iter_mut().enumerate() {
+            *weight = self.weight(tap as f64 - self.reach as f64 - part);
+        }
+    }
+
     /// The kernel so many input samples from its middle.
     fn weight(&self, distance: f64) -> f32 {
         let at = distance.abs() * self.density * STEPS as f64;
@@ -108,6 +141,14 @@ impl Resampler {
             }
             _ => 0.0,
         }
+    }
+}
+
+/// The greatest number that divides both.
+fn common_divisor(a: u64, b: u64) -> u64 {
+    match b {
+        0 => a,
+        _ => common_divisor(b, a % b),
     }
 }
 
@@ -147,7 +188,7 @@ mod tests {
 
     #[test]
     fn a_sine_stays_a_sine() {
-        for rate in [8_000, 22_050, 44_100, 48_000, 96_000] {
+        for rate in [8_000, 22_050, 44_100, 48_000, 48_001, 96_000] {
             let output = resampled(rate, &sine(rate, 1000.0, rate as usize / 5), 1000);
             assert!(output.len().abs_diff(44_100 / 5) <= 1, "{}", output.len());
             let wanted = sine(RATE, 1000.0, output.len());
