@@ -21,8 +21,7 @@ pub fn library(args: &MediaArgs) -> anyhow::Result<Arc<Library>> {
     };
     let config = configured()?;
     let folder = args.media.as_deref().or(config.media.as_deref());
-    let library = Library::new(folder, stand_ins)
-        .map_err(|error| failure(&error, error.hint()))?;
+    let library = Library::new(folder, stand_ins).map_err(|error| failure(&error, error.hint()))?;
     Ok(Arc::new(library))
 }
 

@@ -16,7 +16,7 @@ const RULES: &[(&str, &str, &str)] = &[
     ("input_script", "frame", "glam serde serde_json thiserror std::fs"),
     ("report", "source", "annotate_snippets anstream serde serde_json"),
     ("scene", "source", "image serde serde_json toml std::fs"),
-    ("media", "scene", "image realfft symphonia tempfile thiserror std::fs"),
+    ("media", "scene", "epaint_default_fonts image realfft symphonia tempfile thiserror ttf_parser std::fs"),
     ("glsl", "source", "hashbrown memchr naga rustc_hash smallvec"),
     ("translate", "glsl scene source", "naga"),
     ("render", "frame media scene translate", "bytemuck glam half pollster thiserror wgpu"),

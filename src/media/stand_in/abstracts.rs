@@ -1,7 +1,7 @@
 //! "Abstract 1" to "Abstract 3".
 
 use super::field::{around, blend, cells, fractal, noise, scaled, smoothstep};
-use super::hash::Random;
+use super::hash::{Random, lattice, unit};
 use super::painting::{Painting, Tone};
 
 const GLASS: Tone = [(62.9, 52.5), (70.4, 57.4), (54.6, 52.0)];
@@ -34,7 +34,11 @@ fn stones() -> Vec<Stone> {
             let radius = radius * random.between(0.8, 1.2);
             let colour = COLOURS[random.bits() as usize % COLOURS.len()];
             // The two greatest are nearly white.
-            let colour = if stones.len() < 2 { [0.8, 0.84, 0.74] } else { colour };
+            let colour = if stones.len() < 2 {
+                [0.8, 0.84, 0.74]
+            } else {
+                colour
+            };
             let seed = random.bits();
             let is_free = stones.iter().all(|other| {
                 let x = around(middle[0], other.middle[0]);
@@ -42,7 +46,12 @@ fn stones() -> Vec<Stone> {
                 x.hypot(y) > 1.05 * (radius + other.radius)
             });
             if is_free {
-                stones.push(Stone { middle, radius, colour, seed });
+                stones.push(Stone {
+                    middle,
+                    radius,
+                    colour,
+                    seed,
+                });
             }
         }
     }
@@ -54,8 +63,8 @@ pub fn glass(size: [usize; 2]) -> Painting {
     let stones = stones();
     Painting::new(size, |at| {
         let bent = [
-            at[0] + 0.022 * fractal(1, at, [5, 5], 3, 0.45),
-            at[1] + 0.022 * fractal(2, at, [5, 5], 3, 0.45),
+            at[0] + 0.034 * fractal(1, at, [5, 5], 3, 0.45),
+            at[1] + 0.034 * fractal(2, at, [5, 5], 3, 0.45),
         ];
         // How far outside the nearest piece, in shares of its radius.
         let (mut nearest, mut out) = (None, f32::MAX);
@@ -72,7 +81,11 @@ pub fn glass(size: [usize; 2]) -> Painting {
         let veins = cells(4, [bent[0], bent[1]], [8, 8]);
         let vein = smoothstep(0.12, 0.0, veins.second - veins.nearest);
         let glow = smoothstep(0.3, 0.9, 0.5 + 0.6 * fractal(5, at, [2, 2], 2, 0.5));
-        let resin = blend([0.1, 0.08, 0.03], [0.36, 0.34, 0.16], clouds * (0.4 + 0.6 * glow));
+        let resin = blend(
+            [0.1, 0.08, 0.03],
+            [0.36, 0.34, 0.16],
+            clouds * (0.4 + 0.6 * glow),
+        );
         let resin = scaled(resin, 1.0 - 0.6 * vein);
         let Some((stone, [x, y])) = nearest else {
             return resin;
@@ -85,9 +98,14 @@ pub fn glass(size: [usize; 2]) -> Painting {
             * smoothstep(-0.1, 0.5, noise(6, at, [7, 7]));
         // Light from the upper left, and a bright spot where it gathers at the lower right.
         let side = (x + y) / stone.radius;
-        let spot = (-6.0 * ((x / stone.radius - 0.25).powi(2) + (y / stone.radius - 0.3).powi(2))).exp();
+        let spot =
+            (-6.0 * ((x / stone.radius - 0.25).powi(2) + (y / stone.radius - 0.3).powi(2))).exp();
         let shade = 0.35 + 0.6 * depth.sqrt() + 0.15 * side + 0.35 * (clouds - 0.5) - 0.3 * crack;
-        let lit = blend(scaled(stone.colour, shade.max(0.05)), [0.95, 1.0, 0.9], 0.5 * spot * spot);
+        let lit = blend(
+            scaled(stone.colour, shade.max(0.05)),
+            [0.95, 1.0, 0.9],
+            0.5 * spot * spot,
+        );
         scaled(blend(resin, lit, inside), 1.0 - 0.92 * rim)
     })
     .toned(GLASS)
@@ -97,25 +115,31 @@ pub fn glass(size: [usize; 2]) -> Painting {
 pub fn straw(size: [usize; 2]) -> Painting {
     let [width, height] = size;
     let mut painting = Painting::new(size, |at| {
-        scaled([0.2, 0.15, 0.1], 1.0 + 0.5 * fractal(11, at, [32, 32], 3, 0.7))
+        scaled(
+            [0.2, 0.15, 0.1],
+            1.0 + 0.5 * fractal(11, at, [32, 32], 3, 0.7),
+        )
     });
     let mut random = Random::new(0x57a3);
     let scale = width as f32 / 512.0;
     for stalk in 0..620 {
         let is_upright = stalk % 2 == 0;
         let length = if is_upright { height } else { width };
-        let place = random.unit();
-        let half = random.between(0.6, 1.7) * scale;
-        let light = random.between(0.5, 1.3);
-        let redness = random.between(0.8, 1.05);
+        // They lie in bundles.
+        let bundle = unit(lattice([(random.bits() % 34) as i32, stalk % 2, 0], 0xb0));
+        let place = bundle + random.between(-0.016, 0.016) + 0.2 * random.unit() * random.unit();
+        let half = random.between(0.7, 1.9) * scale;
+        let light = random.between(0.35, 1.35);
+        let redness = random.between(0.9, 1.05);
         let seed = random.bits();
         // A stalk shows for a part of its way: elsewhere others lie over it.
-        let (from, share) = (random.unit(), random.between(0.15, 0.75));
+        let (from, share) = (random.unit(), random.between(0.25, 0.95));
         let steps = (share * length as f32) as usize;
         for step in 0..steps {
             let along = (from + step as f32 / length as f32).fract();
-            let sway = 0.006 * noise(seed, [along, 0.5], [3, 1]);
-            let across = (place + sway).rem_euclid(1.0) * if is_upright { width } else { height } as f32;
+            let sway = 0.014 * noise(seed, [along, 0.5], [3, 1]);
+            let across =
+                (place + sway).rem_euclid(1.0) * if is_upright { width } else { height } as f32;
             let taper = smoothstep(0.0, 0.06, step.min(steps - step) as f32 / steps as f32);
             let sheen = light * (1.0 + 0.25 * noise(seed ^ 1, [along, 0.5], [40, 1]));
             let reach = half.ceil() as i32 + 1;
@@ -125,10 +149,15 @@ pub fn straw(size: [usize; 2]) -> Painting {
                 let cover = taper * smoothstep(1.0 + 0.6 / half, 1.0 - 0.2 / half, out.abs());
                 let round = (1.0 - 0.3 * out * out - 0.25 * out).max(0.2) * sheen;
                 let beside = (texel as i32)
-                    .rem_euclid(if is_upright { width } else { height } as i32) as usize;
+                    .rem_euclid(if is_upright { width } else { height } as i32)
+                    as usize;
                 let down = (along * length as f32) as usize % length;
-                let at = if is_upright { down * width + beside } else { beside * width + down };
-                let colour = scaled([0.62, 0.5 * redness, 0.35 * redness], round);
+                let at = if is_upright {
+                    down * width + beside
+                } else {
+                    beside * width + down
+                };
+                let colour = scaled([0.66, 0.53 * redness, 0.36 * redness], round);
                 painting.texels[at] = blend(painting.texels[at], colour, cover);
             }
         }
@@ -145,9 +174,13 @@ pub fn smears(size: [usize; 2]) -> Painting {
         let streaks = fractal(31, at, [26, 4], 2, 0.5);
         let pale = 0.5 + 0.5 * fractal(34, at, [12, 6], 3, 0.5);
         let body = blend([0.54, 0.42, 0.34], [0.66, 0.58, 0.5], pale);
-        let body = blend(body, blend([0.24, 0.28, 0.32], [0.5, 0.58, 0.64], pale), blue);
-        let body = blend(body, [0.24, 0.18, 0.15], 0.85 * brown);
-        scaled(body, 1.0 + 0.13 * streaks + 0.12 * broad)
+        let body = blend(
+            body,
+            blend([0.27, 0.29, 0.31], [0.52, 0.57, 0.6], pale),
+            blue,
+        );
+        let body = blend(body, [0.25, 0.2, 0.17], 0.8 * brown);
+        scaled(body, 1.0 + 0.24 * streaks + 0.2 * broad)
     })
     .toned(SMEARS)
 }

@@ -45,7 +45,11 @@ fn above([x, y, z]: Direction, from: [f32; 2]) -> [f32; 3] {
     // The walls beside the aisle in which the sight goes out.
     let is_along_x = x.abs() > z.abs();
     let (along, across) = if is_along_x { (x, z) } else { (z, x) };
-    let (start, side) = if is_along_x { (from[0], from[1]) } else { (from[1], from[0]) };
+    let (start, side) = if is_along_x {
+        (from[0], from[1])
+    } else {
+        (from[1], from[0])
+    };
     let side = side.clamp(-HALF_WIDTH, HALF_WIDTH);
     let to_side = if across.abs() < 1e-5 {
         f32::MAX
@@ -54,7 +58,11 @@ fn above([x, y, z]: Direction, from: [f32; 2]) -> [f32; 3] {
     };
     let to_end = ((LENGTH - start * along.signum()) / along.abs().max(1e-5)).max(0.0);
     let nearest = to_side.min(to_end);
-    let eye = if from == [0.0, 0.0] && y.abs() < 1.0 { EYE } else { 0.0 };
+    let eye = if from == [0.0, 0.0] && y.abs() < 1.0 {
+        EYE
+    } else {
+        0.0
+    };
     let height = eye + y * nearest;
     if height > SPRING {
         return vault([x, y, z], is_along_x);
@@ -116,7 +124,8 @@ fn far_end(across: f32, height: f32, is_along_x: bool, end: [bool; 2]) -> [f32; 
             scaled(stone, 0.6)
         };
     }
-    let window = across.abs() < 2.4 && (5.0..10.5).contains(&height) && to_whole(across / 2.0) > 0.08;
+    let window =
+        across.abs() < 2.4 && (5.0..10.5).contains(&height) && to_whole(across / 2.0) > 0.08;
     if window { LAMP } else { stone }
 }
 
@@ -142,10 +151,15 @@ fn vault([x, y, z]: Direction, is_along_x: bool) -> [f32; 3] {
     if out < 0.5 {
         return scaled([0.75, 0.6, 0.46], 0.6 + 1.5 * to_whole(out * 30.0));
     }
-    let (along, across) = if is_along_x { (flat[0], flat[1]) } else { (flat[1], flat[0]) };
+    let (along, across) = if is_along_x {
+        (flat[0], flat[1])
+    } else {
+        (flat[1], flat[0])
+    };
     if across.abs() < 0.44 && along.abs() > 0.5 {
         // A row of windows along each vault's crown.
-        let lamp = to_whole(along.abs().ln() * 2.2) < 0.16 && across.abs() < 0.1 * along.abs().min(2.0);
+        let lamp =
+            to_whole(along.abs().ln() * 2.2) < 0.16 && across.abs() < 0.1 * along.abs().min(2.0);
         if lamp && along.abs() < 6.0 {
             return LAMP;
         }

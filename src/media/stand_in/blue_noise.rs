@@ -11,7 +11,9 @@ use super::hash::{lattice, unit};
 const ROUNDS: usize = 8;
 
 /// The blur that is taken away, as weights of the texels 0, 1, 2 and more away: Gaussian with the deviation 1.5.
-const WEIGHTS: [f32; 6] = [0.265_963, 0.212_967, 0.109_341, 0.035_994, 0.007_597, 0.001_028];
+const WEIGHTS: [f32; 6] = [
+    0.265_963, 0.212_967, 0.109_341, 0.035_994, 0.007_597, 0.001_028,
+];
 
 /// Four independent channels for a square that tiles.
 pub fn rgba(size: usize, seed: u32) -> Vec<u8> {
@@ -19,8 +21,10 @@ pub fn rgba(size: usize, seed: u32) -> Vec<u8> {
         let running: Vec<_> = (0..4)
             .map(|channel| scope.spawn(move || gray(size, seed + channel)))
             .collect();
-        let joined = running.into_iter().map(|thread| thread.join());
-        joined.map(|channel| channel.expect("it does not panic")).collect()
+        let joined = running.into_iter().map(thread::ScopedJoinHandle::join);
+        joined
+            .map(|channel| channel.expect("it does not panic"))
+            .collect()
     });
     (0..size * size)
         .flat_map(|at| [0, 1, 2, 3].map(|channel: usize| channels[channel][at]))
@@ -32,13 +36,16 @@ pub fn gray(size: usize, seed: u32) -> Vec<u8> {
     let mut values: Vec<f32> = (0..size * size)
         .map(|at| unit(lattice([at as i32, 0, 0], seed)))
         .collect();
-    let mut order: Vec<u64> = Vec::new();
-    for _ in 0..ROUNDS {
+    for round in 1..=ROUNDS {
         let smooth = blurred(size, &values);
         for (value, smooth) in values.iter_mut().zip(&smooth) {
             *value -= smooth;
         }
-        flatten(&mut values, &mut order);
+        if round < ROUNDS {
+            flatten_roughly(&mut values);
+        } else {
+            flatten(&mut values);
+        }
     }
     let count = values.len() as f32;
     values
@@ -47,14 +54,34 @@ pub fn gray(size: usize, seed: u32) -> Vec<u8> {
         .collect()
 }
 
+/// Replaces each value by the share of values in the bins below its own, which is quick.
+fn flatten_roughly(values: &mut [f32]) {
+    const BINS: usize = 1 << 14;
+    // Values lie between −1 and 1.
+    let bin = |value: f32| ((value + 1.0) * (BINS / 2) as f32) as usize % BINS;
+    let mut below = vec![0_u32; BINS];
+    for &value in &*values {
+        below[bin(value)] += 1;
+    }
+    let mut sum = 0;
+    for count in &mut below {
+        (*count, sum) = (sum, sum + *count);
+    }
+    for value in &mut *values {
+        *value = below[bin(*value)] as f32 / sum as f32;
+    }
+}
+
 /// Replaces each value by its rank, from 0 to just below 1.
-fn flatten(values: &mut [f32], order: &mut Vec<u64>) {
-    order.clear();
-    order.extend((0_u64..).zip(&*values).map(|(at, &value)| {
-        // Values lie between −1 and 1, so that these 32 bits sort as they do.
-        let height = ((value + 2.0) * 1_073_741_824.0) as u64;
-        height << 32 | at
-    }));
+fn flatten(values: &mut [f32]) {
+    let mut order: Vec<u64> = (0_u64..)
+        .zip(&*values)
+        .map(|(at, &value)| {
+            // Values lie between −1 and 1, so that these 32 bits sort as they do.
+            let height = ((value + 2.0) * 1_073_741_824.0) as u64;
+            height << 32 | at
+        })
+        .collect();
     order.sort_unstable();
     let count = values.len() as f32;
     for (rank, entry) in order.iter().enumerate() {
@@ -73,8 +100,8 @@ fn blurred(size: usize, values: &[f32]) -> Vec<f32> {
         }
         for (x, sum) in to.iter_mut().enumerate() {
             *sum = WEIGHTS[0] * row[x + reach];
-            for away in 1..=reach {
-                *sum += WEIGHTS[away] * (row[x + reach - away] + row[x + reach + away]);
+            for (away, weight) in WEIGHTS.iter().enumerate().skip(1) {
+                *sum += weight * (row[x + reach - away] + row[x + reach + away]);
             }
         }
     }
@@ -87,9 +114,9 @@ fn blurred(size: usize, values: &[f32]) -> Vec<f32> {
             }
         };
         add(y, WEIGHTS[0]);
-        for away in 1..=reach {
-            add(y + size - away, WEIGHTS[away]);
-            add(y + away, WEIGHTS[away]);
+        for (away, &weight) in WEIGHTS.iter().enumerate().skip(1) {
+            add(y + size - away, weight);
+            add(y + away, weight);
         }
     }
     down

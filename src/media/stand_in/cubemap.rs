@@ -45,12 +45,12 @@ fn faces(size: usize, n: usize, light: impl Fn(Direction) -> [f32; 3] + Sync) ->
 
 /// A cubemap of what `light` sees.
 pub fn sharp(size: usize, tone: Tone, light: fn(Direction) -> [f32; 3]) -> Vec<u8> {
-    faces(size, 3, light).toned(tone).rgba()
+    faces(size, 2, light).toned(tone).rgba()
 }
 
 /// A blurred one: what a rough surface with that normal reflects. Lamps count with their full brightness.
 pub fn blurred(size: usize, blur: &Blur, light: fn(Direction) -> [f32; 3]) -> Vec<u8> {
-    let coarse = size.div_ceil(2);
+    let coarse = size.div_ceil(4);
     let middle = |x: usize, y: usize, size: usize| {
         let place = [x, y % size].map(|at| (2 * at + 1) as f32 / size as f32 - 1.0);
         (y / size, place)
@@ -61,10 +61,10 @@ pub fn blurred(size: usize, blur: &Blur, light: fn(Direction) -> [f32; 3]) -> Ve
         let towards = direction(face, place);
         let length = towards.iter().map(|part| part * part).sum::<f32>().sqrt();
         let mut sum = [0.0; 3];
-        for sample in 0..16 {
-            let shift = [sample % 4, sample / 4].map(|i| (i as f32 - 1.5) / 2.0 / coarse as f32);
+        for sample in 0..36 {
+            let shift = [sample % 6, sample / 6].map(|i| (i as f32 - 2.5) / 3.0 / coarse as f32);
             let found = light(direction(face, [place[0] + shift[0], place[1] + shift[1]]));
-            sum = [0, 1, 2].map(|i| sum[i] + found[i] / 16.0);
+            sum = [0, 1, 2].map(|i| sum[i] + found[i] / 36.0);
         }
         (normalized(towards), sum, length.powi(-3))
     });
@@ -118,9 +118,17 @@ mod tests {
     /// The same as what GL's table gives for a direction: face, s and t from 0 to 1.
     fn looked_up([x, y, z]: Direction) -> (usize, [f32; 2]) {
         let (face, sc, tc, ma) = if x.abs() >= y.abs() && x.abs() >= z.abs() {
-            if x > 0.0 { (0, -z, -y, x) } else { (1, z, -y, -x) }
+            if x > 0.0 {
+                (0, -z, -y, x)
+            } else {
+                (1, z, -y, -x)
+            }
         } else if y.abs() >= z.abs() {
-            if y > 0.0 { (2, x, z, y) } else { (3, x, -z, -y) }
+            if y > 0.0 {
+                (2, x, z, y)
+            } else {
+                (3, x, -z, -y)
+            }
         } else if z > 0.0 {
             (4, x, -y, z)
         } else {

@@ -27,32 +27,44 @@ pub fn smoothstep(low: f32, high: f32, at: f32) -> f32 {
 
 /// How far a number is from the nearest whole one.
 pub fn to_whole(at: f32) -> f32 {
-    (at - at.round()).abs()
+    (at - floor(at + 0.5) as f32).abs()
 }
 
 /// The distance between two places on a circle of the length 1, with its sign.
 pub fn around(from: f32, to: f32) -> f32 {
     let straight = to - from;
-    straight - straight.round()
+    straight - floor(straight + 0.5) as f32
 }
 
 fn fade(t: f32) -> f32 {
     t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
 }
 
+/// The whole number below; faster than `f32::floor`, which is a call on processors without an instruction for it.
+fn floor(at: f32) -> i32 {
+    let near = at as i32;
+    near - i32::from(near as f32 > at)
+}
+
+/// A number of cells wrapped around; most places are in the unit square already.
+fn wrapped(at: i32, cells: i32) -> i32 {
+    if (0..cells).contains(&at) {
+        at
+    } else {
+        at.rem_euclid(cells)
+    }
+}
+
 /// Gradient noise of some cells across and down the unit square; nearly all of it lies between −1 and 1.
 pub fn noise(seed: u32, at: [f32; 2], cells: [i32; 2]) -> f32 {
     let x = at[0] * cells[0] as f32;
     let y = at[1] * cells[1] as f32;
-    let (left, top) = (x.floor(), y.floor());
-    let (dx, dy) = (x - left, y - top);
-    let corner = |i: i32, j: i32| {
-        let place = [
-            (left as i32 + i).rem_euclid(cells[0]),
-            (top as i32 + j).rem_euclid(cells[1]),
-            0,
-        ];
-        let bits = lattice(place, seed);
+    let (left, top) = (floor(x), floor(y));
+    let (dx, dy) = (x - left as f32, y - top as f32);
+    let columns = [0, 1].map(|i| wrapped(left + i, cells[0]));
+    let rows = [0, 1].map(|j| wrapped(top + j, cells[1]));
+    let corner = |i: usize, j: usize| {
+        let bits = lattice([columns[i], rows[j], 0], seed);
         let gradient = [(bits & 0xffff) as f32, (bits >> 16) as f32].map(|g| g / 32767.5 - 1.0);
         gradient[0] * (dx - i as f32) + gradient[1] * (dy - j as f32)
     };
@@ -101,22 +113,19 @@ pub struct Cell {
 pub fn cells(seed: u32, at: [f32; 2], cells: [i32; 2]) -> Cell {
     let x = at[0] * cells[0] as f32;
     let y = at[1] * cells[1] as f32;
-    let (left, top) = (x.floor(), y.floor());
+    let (left, top) = (floor(x), floor(y));
+    let columns = [-1, 0, 1].map(|i| wrapped(left + i, cells[0]));
+    let rows = [-1, 0, 1].map(|j| wrapped(top + j, cells[1]));
     let mut found = Cell {
         nearest: f32::MAX,
         second: f32::MAX,
         bits: 0,
     };
-    for j in -1..=1 {
-        for i in -1..=1 {
-            let place = [
-                (left as i32 + i).rem_euclid(cells[0]),
-                (top as i32 + j).rem_euclid(cells[1]),
-                1,
-            ];
-            let bits = lattice(place, seed);
-            let dx = left + i as f32 + (bits & 0xffff) as f32 / 65536.0 - x;
-            let dy = top + j as f32 + (bits >> 16) as f32 / 65536.0 - y;
+    for (j, row) in (top - 1..).zip(rows) {
+        for (i, column) in (left - 1..).zip(columns) {
+            let bits = lattice([column, row, 1], seed);
+            let dx = i as f32 + (bits & 0xffff) as f32 / 65536.0 - x;
+            let dy = j as f32 + (bits >> 16) as f32 / 65536.0 - y;
             let distance = dx * dx + dy * dy;
             if distance < found.nearest {
                 found.second = found.nearest;
@@ -134,10 +143,10 @@ pub fn cells(seed: u32, at: [f32; 2], cells: [i32; 2]) -> Cell {
 
 /// Value noise in space, from −1 to 1, one cell a unit; it does not repeat.
 pub fn noise_in_space(seed: u32, at: [f32; 3]) -> f32 {
-    let low = at.map(f32::floor);
-    let share = [0, 1, 2].map(|i| fade(at[i] - low[i]));
+    let low = at.map(floor);
+    let share = [0, 1, 2].map(|i| fade(at[i] - low[i] as f32));
     let corner = |i: i32, j: i32, k: i32| {
-        let place = [low[0] as i32 + i, low[1] as i32 + j, low[2] as i32 + k];
+        let place = [low[0] + i, low[1] + j, low[2] + k];
         2.0 * unit(lattice(place, seed)) - 1.0
     };
     let row = |j, k| mix(corner(0, j, k), corner(1, j, k), share[0]);

@@ -23,6 +23,9 @@ const GLYPH_WIDTH: f32 = 32.0;
 /// How high an H is. Hack is a little higher by itself than the site's font.
 const CAPITAL_HEIGHT: f32 = 37.0;
 
+/// Hack's strokes are thinner than those of the site's font by twice this.
+const WEIGHT: f32 = 0.4;
+
 /// Where letters stand, from the cell's top.
 const BASELINE: f32 = 50.0;
 
@@ -37,21 +40,30 @@ pub fn rgba(size: usize) -> Vec<u8> {
         .collect();
     let cell = size / CELLS;
     let step = CELL / cell as f32;
+    // Distances reach one texel beyond each cell, for the differences at its edge.
+    let wide = cell + 2;
+    let distances = each_texel([CELLS * wide, CELLS * wide], |x, y| {
+        let shapes = &glyphs[y / wide * CELLS + x / wide];
+        to_nearest(
+            shapes,
+            [x % wide, y % wide].map(|at| (at as f32 - 0.5) * step),
+        )
+    });
     let texels = each_texel([size, size], |x, y| {
-        let shapes = &glyphs[y / cell * CELLS + x / cell];
-        let at = [x % cell, y % cell].map(|at| (at as f32 + 0.5) * step);
-        texel(shapes, at)
+        let [x, y] = [x, y].map(|at| at / cell * wide + at % cell + 1);
+        let at = |x: usize, y: usize| distances[y * CELLS * wide + x];
+        let right = (at(x + 1, y) - at(x - 1, y)) / (2.0 * step);
+        let down = (at(x, y + 1) - at(x, y - 1)) / (2.0 * step);
+        texel(at(x, y), [right, down])
     });
     texels.into_iter().flatten().collect()
 }
 
-fn texel(shapes: &[Shape], [x, y]: Point) -> [u8; 4] {
-    if shapes.is_empty() {
+/// A texel so far from the outline, where the distance grows so fast to the right and down.
+fn texel(distance: f32, [right, down]: [f32; 2]) -> [u8; 4] {
+    if distance == f32::MAX {
         return [0, 128, 128, 255];
     }
-    let distance = to_nearest(shapes, [x, y]);
-    let right = to_nearest(shapes, [x + 0.5, y]) - to_nearest(shapes, [x - 0.5, y]);
-    let down = to_nearest(shapes, [x, y + 0.5]) - to_nearest(shapes, [x, y - 0.5]);
     let byte = |value: f32| value.clamp(0.0, 255.0).round() as u8;
     [
         byte(255.0 * (0.5 - distance)),
@@ -81,7 +93,10 @@ fn letter(face: &Face, code: usize) -> Vec<Shape> {
         scale: [GLYPH_WIDTH / advance, CAPITAL_HEIGHT / capital],
         at: [0.0; 2],
         begin: [0.0; 2],
-        outline: Outline::default(),
+        outline: Outline {
+            lines: Vec::new(),
+            grown: WEIGHT,
+        },
     };
     face.outline_glyph(glyph, &mut pen);
     if pen.outline.lines.is_empty() {
@@ -123,7 +138,8 @@ impl Pen {
             let mut points = handles;
             for degree in (1..N).rev() {
                 for i in 0..degree {
-                    points[i] = [0, 1].map(|c| points[i][c] + share * (points[i + 1][c] - points[i][c]));
+                    points[i] =
+                        [0, 1].map(|c| points[i][c] + share * (points[i + 1][c] - points[i][c]));
                 }
             }
             self.line(points[0]);
@@ -172,7 +188,7 @@ mod tests {
     fn an_h_stands_where_the_site_has_it() {
         let face = Face::parse(HACK_REGULAR, 0).unwrap();
         let shapes = letter(&face, usize::from(b'H'));
-        let is_in = |x: f32, y: f32| texel(&shapes, [x, y])[3] < 127;
+        let is_in = |x: f32, y: f32| to_nearest(&shapes, [x, y]) < 0.0;
         let inside: Vec<f32> = (0..64)
             .map(|y| y as f32 + 0.5)
             .filter(|&y| is_in(22.5, y))
@@ -184,11 +200,12 @@ mod tests {
 
     #[test]
     fn the_channels_say_coverage_direction_and_distance() {
-        let bar = [Shape::rectangle([20.0, 0.0], [44.0, 64.0])];
-        assert_eq!(texel(&bar, [32.0, 32.0])[0], 255);
-        assert_eq!(texel(&bar, [12.0, 32.0]), [0, 1, 128, 159]);
-        assert_eq!(texel(&bar, [24.0, 32.0]), [255, 1, 128, 111]);
-        assert_eq!(texel(&bar, [52.0, 32.0]), [0, 255, 128, 159]);
-        assert_eq!(texel(&[], [32.0, 32.0]), [0, 128, 128, 255]);
+        assert_eq!(texel(8.0, [-1.0, 0.0]), [0, 1, 128, 159]);
+        assert_eq!(texel(-4.0, [-1.0, 0.0]), [255, 1, 128, 111]);
+        assert_eq!(texel(0.0, [0.0, 1.0]), [128, 128, 255, 127]);
+        assert_eq!(
+            texel(to_nearest(&[], [32.0, 32.0]), [0.0; 2]),
+            [0, 128, 128, 255]
+        );
     }
 }

@@ -60,7 +60,8 @@ pub fn light(towards: Direction) -> [f32; 3] {
         }
         // Trunks get thinner upward, down to a third.
         let height = EYE + rise * along;
-        let radius = trunk.radius * (1.0 - height * 0.03).clamp(0.3, 1.0)
+        let radius = trunk.radius
+            * (1.0 - height * 0.03).clamp(0.3, 1.0)
             * (1.0 + 0.7 * smoothstep(0.7, 0.0, height));
         let beside = trunk.at[0] * heading[1] - trunk.at[1] * heading[0];
         if beside.abs() < radius && nearest.is_none_or(|(before, ..)| along < before) {
@@ -98,7 +99,11 @@ fn bark(trunk: &Trunk, beside: f32, heading: [f32; 2], along: f32, height: f32) 
     // The low sun reaches some trunks from the side.
     let side = heading[0] * SUN[1] - heading[1] * SUN[0];
     let sun = smoothstep(0.1, 0.9, -beside * side) * smoothstep(0.55, 0.8, trunk.tone);
-    let lit = blend(scaled(base, 0.55 + 0.5 * round), [0.95, 0.5, 0.14], 0.7 * sun);
+    let lit = blend(
+        scaled(base, 0.55 + 0.5 * round),
+        [0.95, 0.5, 0.14],
+        0.7 * sun,
+    );
     let lit = scaled(lit, 1.0 + 0.9 * grain);
     // Far trunks are paler in the light between.
     blend(lit, [0.5, 0.5, 0.42], 0.5 * smoothstep(8.0, 34.0, along))
@@ -120,10 +125,10 @@ fn crowns([x, y, z]: Direction, heading: [f32; 2], rise: f32) -> ([f32; 3], f32)
     let around = [heading[0] * 7.0, heading[1] * 7.0];
     let out = (1.0 - y).sqrt() * 5.0;
     let boughs = noise_in_space(21, [around[0], out, around[1]]);
-    let leaves = fractal_in_space(22, [x * 9.0, y * 9.0, z * 9.0], 5);
+    let leaves = fractal_in_space(22, [x * 13.0, y * 13.0, z * 13.0], 4);
     let twigs = noise_in_space(27, [heading[0] * 22.0, out * 2.0, heading[1] * 22.0]);
     let gaps = 0.3 * smoothstep(0.9, 0.2, y) * noise_in_space(28, [x * 2.2, y * 2.2, z * 2.2]);
-    let dense = 0.55 * boughs + 0.8 * leaves + 0.3 * twigs - gaps - 0.16;
+    let dense = 0.5 * boughs + 1.3 * leaves + 0.35 * twigs - gaps - 0.1;
     let low = smoothstep(0.15, 0.4, rise);
     let cover = smoothstep(0.0, 0.16, dense) * low;
     let green = scaled([0.2, 0.23, 0.18], 1.0 + 0.8 * leaves);
@@ -136,7 +141,11 @@ fn ground(x: f32, z: f32) -> [f32; 3] {
     let far = x.hypot(z);
     let litter = fractal_in_space(31, [x * 7.0, 0.5, z * 7.0], 4);
     let patches = fractal_in_space(32, [x * 0.7, 3.5, z * 0.7], 4);
-    let leaf = smoothstep(0.1, 0.5, noise_in_space(33, [x * 14.0, 7.5, z * 14.0]));
+    let leaf = smoothstep(
+        0.1,
+        0.5,
+        fractal_in_space(33, [x * 11.0, 7.5, z * 11.0], 3) * 1.6,
+    );
     let base = blend([0.15, 0.12, 0.08], [0.24, 0.19, 0.14], 0.5 + patches);
     let lit = blend(base, [0.4, 0.34, 0.22], 0.55 * leaf);
     // The sun lies on the ground in stripes.

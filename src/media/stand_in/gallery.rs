@@ -41,7 +41,11 @@ pub fn light([x, y, z]: Direction) -> [f32; 3] {
     if x > 0.0 && height < ROOF - 6.0 {
         let across = z * nearest;
         let arch = across.abs() < 2.6 && height < 6.0 + (6.8 - across * across).max(0.0).sqrt();
-        return if arch { [0.75, 0.73, 0.72] } else { front(across, height, true) };
+        return if arch {
+            [0.75, 0.73, 0.72]
+        } else {
+            front(across, height, true)
+        };
     }
     beyond([x, y, z])
 }
@@ -50,7 +54,11 @@ pub fn light([x, y, z]: Direction) -> [f32; 3] {
 fn beyond([x, y, z]: Direction) -> [f32; 3] {
     if x < 0.0 {
         let (across, up) = ((z / x).abs(), y / -x);
-        let half = if (0.52..0.6).contains(&up) { 0.05 } else { 0.036 };
+        let half = if (0.52..0.6).contains(&up) {
+            0.05
+        } else {
+            0.036
+        };
         if across < half && up < 0.68 {
             let stripe = to_whole(up * 30.0) < 0.1;
             return scaled([0.62, 0.57, 0.53], if stripe { 0.8 } else { 1.0 });
@@ -81,7 +89,11 @@ fn front(along: f32, height: f32, is_north: bool) -> [f32; 3] {
         let niche = wide_bay * 10.2 < 0.42 && (2.0..4.6).contains(&height);
         if niche {
             let statue = to_whole(along / 10.2) * 10.2 < 0.22 && height < 4.0;
-            return if statue { [0.55, 0.53, 0.53] } else { [0.14, 0.13, 0.13] };
+            return if statue {
+                [0.55, 0.53, 0.53]
+            } else {
+                [0.14, 0.13, 0.13]
+            };
         }
         if pillar {
             return scaled(stone, 0.95);
@@ -92,14 +104,20 @@ fn front(along: f32, height: f32, is_north: bool) -> [f32; 3] {
         }
         let depth = noise_in_space(2, [along * 0.8, height * 1.2, 3.0]);
         let door = unit(lattice([bay.floor() as i32, side, 0], 3)) < 0.3 && height < 3.6;
-        return scaled([0.09, 0.08, 0.085], if door { 2.2 } else { 1.0 + 0.6 * depth });
+        return scaled(
+            [0.09, 0.08, 0.085],
+            if door { 2.2 } else { 1.0 + 0.6 * depth },
+        );
     }
     let above = height - 6.6;
     let bands: [f32; 6] = [0.5, 3.0, 4.2, 9.6, 10.8, 17.6];
     if bands.iter().any(|band| (above - band).abs() < 0.3) {
         return scaled(stone, 1.3);
     }
-    if bands.iter().any(|band| (0.3..0.6).contains(&(band - above))) {
+    if bands
+        .iter()
+        .any(|band| (0.3..0.6).contains(&(band - above)))
+    {
         return scaled(stone, 0.45);
     }
     let rows: [(f32, f32); 3] = [(1.0, 2.6), (5.0, 8.6), (11.8, 16.0)];
@@ -119,7 +137,14 @@ fn front(along: f32, height: f32, is_north: bool) -> [f32; 3] {
     }
     if above > 18.0 {
         // The eaves, in their own shadow but for the beams' ends.
-        return scaled(stone, if to_whole(along * 1.3) < 0.2 { 0.9 } else { 0.45 });
+        return scaled(
+            stone,
+            if to_whole(along * 1.3) < 0.2 {
+                0.9
+            } else {
+                0.45
+            },
+        );
     }
     let pier = smoothstep(0.12, 0.08, across);
     blend(plaster, stone, pier)
@@ -138,7 +163,11 @@ fn paving([x, z]: [f32; 2]) -> [f32; 3] {
     let wear = fractal_in_space(6, [x * 1.7, z * 1.7, 0.5], 5);
     let damp = smoothstep(0.0, 0.35, fractal_in_space(7, [x * 0.35, z * 0.35, 2.5], 4));
     let base = 0.44 + 0.07 * (slab - 0.5) * clear + 0.1 * wear - 0.05 * damp;
-    let shade = if joint < 0.035 { 1.0 - 0.25 * clear } else { 1.0 };
+    let shade = if joint < 0.035 {
+        1.0 - 0.25 * clear
+    } else {
+        1.0
+    };
     // The fronts keep light from what lies near them.
     let open = smoothstep(HALF_WIDTH * 1.1, HALF_WIDTH * 0.4, z.abs());
     scaled([1.03, 0.975, 0.99], base * shade * (0.85 + 0.2 * open))

@@ -11,9 +11,13 @@ pub fn mixed(mut bits: u32) -> u32 {
 
 /// A number of its own for each place on a lattice and each seed.
 pub fn lattice(place: [i32; 3], seed: u32) -> u32 {
-    place.iter().fold(mixed(seed ^ 0x9e37_79b9), |bits, &at| {
-        mixed(bits.wrapping_add(at as u32).wrapping_mul(0x9e37_79b1))
-    })
+    let [x, y, z] = place.map(|at| at as u32);
+    let sum = x
+        .wrapping_mul(0x9e37_79b1)
+        .wrapping_add(y.wrapping_mul(0x85eb_ca77))
+        .wrapping_add(z.wrapping_mul(0xc2b2_ae3d))
+        .wrapping_add(seed.wrapping_mul(0x27d4_eb2f));
+    mixed(sum)
 }
 
 /// From 0 to just below 1: the upper 24 bits, which a float holds exactly.

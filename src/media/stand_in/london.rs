@@ -21,7 +21,10 @@ const SKY: [f32; 3] = [0.95, 0.92, 0.88];
 
 /// The whole picture.
 pub fn street(size: [usize; 2]) -> Painting {
-    Painting::smooth(size, 3, |at| light([(at[0] - 0.47) * 1.5, (0.6 - at[1]) * 1.5])).toned(TONE)
+    Painting::smooth(size, 3, |at| {
+        light([(at[0] - 0.47) * 1.5, (0.6 - at[1]) * 1.5])
+    })
+    .toned(TONE)
 }
 
 /// What is seen along a line of sight, which goes so far right and up for each metre ahead.
@@ -105,7 +108,11 @@ fn passer_by(along: f32, height: f32, side: i32) -> Option<[f32; 3]> {
     let bus = (62.0..71.0).contains(&along) && side == 0 && height < 4.4;
     if bus {
         let is_glass = (1.4..2.2).contains(&height) || (3.0..3.8).contains(&height);
-        return Some(if is_glass { [0.16, 0.12, 0.12] } else { [0.66, 0.1, 0.1] });
+        return Some(if is_glass {
+            [0.16, 0.12, 0.12]
+        } else {
+            [0.66, 0.1, 0.1]
+        });
     }
     let place = along * 0.9;
     let bits = lattice([place.floor() as i32, side, 9], 10);
@@ -116,7 +123,11 @@ fn passer_by(along: f32, height: f32, side: i32) -> Option<[f32; 3]> {
     (is_there && height < tall && wide < half).then(|| {
         let cloth = unit(bits.rotate_left(17));
         let red = if cloth > 0.85 { 0.4 } else { 0.12 };
-        [mix(0.06, red, cloth), mix(0.05, 0.2, cloth), mix(0.07, 0.24, cloth)]
+        [
+            mix(0.06, red, cloth),
+            mix(0.05, 0.2, cloth),
+            mix(0.07, 0.24, cloth),
+        ]
     })
 }
 
@@ -124,7 +135,10 @@ fn passer_by(along: f32, height: f32, side: i32) -> Option<[f32; 3]> {
 fn ground(beside: f32, ahead: f32) -> [f32; 3] {
     let grain = fractal(
         11,
-        [(beside / 32.0).rem_euclid(1.0), (ahead / 32.0).rem_euclid(1.0)],
+        [
+            (beside / 32.0).rem_euclid(1.0),
+            (ahead / 32.0).rem_euclid(1.0),
+        ],
         [64, 32],
         3,
         0.6,
@@ -135,7 +149,16 @@ fn ground(beside: f32, ahead: f32) -> [f32; 3] {
         let joint = to_whole(ahead / 1.2) < 0.03 || to_whole(out / 0.9) < 0.03;
         let slab = scaled([0.56, 0.51, 0.46], 1.0 + 0.1 * grain * near);
         let rail = out < KERB + 0.12;
-        return scaled(slab, if rail { 1.25 } else if joint { 0.8 } else { 1.0 });
+        return scaled(
+            slab,
+            if rail {
+                1.25
+            } else if joint {
+                0.8
+            } else {
+                1.0
+            },
+        );
     }
     let road = scaled([0.46, 0.44, 0.43], 1.0 + 0.12 * grain * near);
     let lines = (out - KERB + 0.35).abs() < 0.06 || (out - KERB + 0.6).abs() < 0.06;
@@ -144,7 +167,11 @@ fn ground(beside: f32, ahead: f32) -> [f32; 3] {
     }
     let dash = beside.abs() < 0.08 && (ahead / 4.0).fract() < 0.5;
     let arrow = arrow(beside + 3.2, ahead - 11.0) || arrow(beside - 3.0, ahead - 7.5);
-    if dash || arrow { [0.86, 0.84, 0.8] } else { road }
+    if dash || arrow {
+        [0.86, 0.84, 0.8]
+    } else {
+        road
+    }
 }
 
 /// An arrow painted on the road, four metres long.

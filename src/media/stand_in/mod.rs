@@ -37,7 +37,10 @@ pub const VERSION: u32 = 1;
 /// Functions like the sine may differ in the last bit between machines, and with them a byte here and there by one.
 pub fn make(item: &Item) -> Option<Texels> {
     let (size, format) = match item.kind {
-        Kind::Texture { size: [x, y], format } => ([x, y, 1], format),
+        Kind::Texture {
+            size: [x, y],
+            format,
+        } => ([x, y, 1], format),
         Kind::Cubemap { size } => ([size, size, 6], super::Format::Rgba8),
         Kind::Volume { size, format } => ([size; 3], format),
         Kind::Video | Kind::Music => return None,
@@ -87,9 +90,7 @@ fn bytes(name: &str, [width, height, depth]: [usize; 3]) -> Option<Vec<u8>> {
         "Forest" => cubemap::sharp(width, forest::TONE, forest::light),
         "Forest Blurred" => cubemap::blurred(width, &forest::BLUR, forest::light),
         "St. Peter's Basilica" => cubemap::sharp(width, basilica::TONE, basilica::light),
-        "St. Peter's Basilica Blurred" => {
-            cubemap::blurred(width, &basilica::BLUR, basilica::light)
-        }
+        "St. Peter's Basilica Blurred" => cubemap::blurred(width, &basilica::BLUR, basilica::light),
         "Uffizi Gallery" => cubemap::sharp(width, gallery::TONE, gallery::light),
         "Uffizi Gallery Blurred" => cubemap::blurred(width, &gallery::BLUR, gallery::light),
         "Grey Noise 3D" => white_noise::gray(count, 24),

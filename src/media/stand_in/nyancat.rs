@@ -1,4 +1,5 @@
-//! "Nyancat": six pictures, 40 texels apart, of a cat that runs, its back a cake; our own drawing.
+//! "Nyancat": six pictures, 40 texels apart, of a running cat. It is another one than the site's: a ginger tabby in a
+//! striped jersey, of the same size and in the same places.
 
 /// How far one picture is from the next.
 const STEP: usize = 40;
@@ -14,47 +15,32 @@ const OUTLINE: [u8; 4] = [0, 0, 0, 255];
 /// What each letter of the drawings is.
 fn colour(letter: u8) -> [u8; 4] {
     match letter {
-        b'f' => [150, 150, 158, 255],
+        b'f' => [232, 150, 70, 255],
+        b't' => [180, 96, 40, 255],
         b'k' => OUTLINE,
         b'w' => [255, 255, 255, 255],
-        b'r' => [255, 150, 150, 255],
-        b'c' => [250, 206, 150, 255],
-        b'i' => [255, 158, 250, 255],
-        b's' => [250, 60, 150, 255],
+        b'r' => [250, 190, 150, 255],
+        b'c' => [240, 240, 220, 255],
+        b'i' => [70, 150, 200, 255],
         _ => NOTHING,
     }
 }
 
 /// The head, without its outline.
 const HEAD: [&str; 10] = [
-    " f          f ",
-    " ff        ff ",
+    "  f        f  ",
     " fff      fff ",
-    "ffffffffffffff",
-    "fffwkffffwkfff",
+    " ffftfttftfff ",
+    "fffftfttftffff",
+    "fffffffffffftf",
+    "tffkkffffkkfft",
     "fffkkffffkkfff",
-    "frrfffkkfffrrf",
-    "frrfkffffkfrrf",
-    " ffffkkkkffff ",
-    "  ffffffffff  ",
+    "tffffrkkrfffft",
+    " fffrrkkrrfff ",
+    "   frrrrrrf   ",
 ];
 
-/// The cake's sprinkles, from its upper left corner.
-const SPRINKLES: [[usize; 2]; 11] = [
-    [3, 3],
-    [8, 2],
-    [13, 4],
-    [5, 6],
-    [10, 7],
-    [2, 9],
-    [7, 10],
-    [12, 11],
-    [4, 13],
-    [9, 13],
-    [15, 8],
-];
-
-/// The tail's height over the cake's lower side, from its root outward, in each picture.
+/// The tail's height over the body's lower side, from its root outward, in each picture.
 const TAIL: [[usize; 6]; FRAMES] = [
     [5, 6, 7, 8, 9, 9],
     [5, 5, 6, 7, 7, 8],
@@ -88,44 +74,52 @@ type Picture = [[[u8; 4]; STEP]; 32];
 
 fn picture(frame: usize) -> Picture {
     let mut picture = [[NOTHING; STEP]; 32];
+    let mut tail = [[b' '; 6]; 9];
     for (out, &up) in TAIL[frame].iter().enumerate() {
-        part(&mut picture, [9 - out, 21 - up], &["f", "f"]);
+        let fur = if out % 2 == 0 { b'f' } else { b't' };
+        tail[9 - up][5 - out] = fur;
+        tail[10 - up][5 - out] = fur;
     }
+    part(&mut picture, [4, 11], &tail);
     for paw in [8, 14, 24, 29] {
-        part(&mut picture, [paw + PAWS[frame], 22], &["fff", "fff"]);
+        part(&mut picture, [paw + PAWS[frame], 22], &["fff"; 2]);
     }
-    cake(&mut picture, [10, 7]);
+    body(&mut picture, [10, 8]);
     part(&mut picture, [20, 11 + NOD[frame]], &HEAD);
     picture
 }
 
-/// The cake: a crust with rounded corners, icing and sprinkles.
-fn cake(picture: &mut Picture, at: [usize; 2]) {
-    let (width, height) = (18, 15);
+/// The body in its jersey: stripes across a long rounded shape.
+fn body(picture: &mut Picture, at: [usize; 2]) {
+    let (width, height) = (20, 13);
     let lines: Vec<String> = (0..height)
         .map(|y| {
             let letter = |x: usize| {
                 let from_side = x.min(width - 1 - x);
                 let from_end = y.min(height - 1 - y);
                 match (from_side, from_end) {
-                    (0, 0) => ' ',
-                    (0, _) | (_, 0) | (1, 1) => 'c',
-                    _ if SPRINKLES.contains(&[x, y]) => 's',
+                    (side, end) if side + end < 3 => ' ',
+                    _ if x < 3 => 'f',
+                    _ if x % 4 < 2 => 'c',
                     _ => 'i',
                 }
             };
             (0..width).map(letter).collect()
         })
         .collect();
-    let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
     part(picture, at, &lines);
 }
 
 /// Draws a part over the others, with its outline.
-fn part(picture: &mut Picture, [left, top]: [usize; 2], lines: &[&str]) {
+fn part(picture: &mut Picture, [left, top]: [usize; 2], lines: &[impl AsRef<[u8]>]) {
     let filled = || {
         lines.iter().enumerate().flat_map(move |(y, line)| {
-            let letters = line.bytes().enumerate().filter(|&(_, letter)| letter != b' ');
+            let letters = line
+                .as_ref()
+                .iter()
+                .copied()
+                .enumerate()
+                .filter(|&(_, letter)| letter != b' ');
             letters.map(move |(x, letter)| (left + x, top + y, letter))
         })
     };

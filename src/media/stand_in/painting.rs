@@ -74,10 +74,19 @@ pub fn byte(part: f32) -> u8 {
 
 /// See [`Painting::toned`].
 pub fn tone_texels(texels: &mut [[f32; 3]], tone: Tone) {
+    // First light and dark alone, so that colours do not become gaudy where much contrast is missing.
+    let gray = |texel: &[f32; 3]| texel.iter().sum::<f32>() / 3.0;
+    let (is, varies) = statistics(texels.iter().map(gray));
+    let deviation = tone.iter().map(|(_, deviation)| deviation).sum::<f32>() / 3.0 / 255.0;
+    let gain = (deviation / varies.max(1e-6)).clamp(0.2, 5.0);
+    for texel in &mut *texels {
+        let moved = (gray(texel) - is) * (gain - 1.0);
+        *texel = texel.map(|part| part + moved);
+    }
     for (channel, &(mean, deviation)) in tone.iter().enumerate() {
         let (mean, deviation) = (mean / 255.0, deviation / 255.0);
         // What is clipped pulls both back, so that it takes some rounds.
-        for _ in 0..12 {
+        for _ in 0..6 {
             let (is, varies) = statistics(texels.iter().map(|texel| texel[channel]));
             let gain = (deviation / varies.max(1e-6)).clamp(0.2, 5.0);
             for texel in &mut *texels {

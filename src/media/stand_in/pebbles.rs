@@ -15,29 +15,38 @@ struct Pebble {
     height: f32,
 }
 
-/// The stones of one size and more of each smaller one, scattered so that they hardly overlap.
+/// Large stones that hardly overlap, and ever more smaller ones that lie between and under them.
 fn scattered() -> Vec<Pebble> {
     let mut random = Random::new(0x0bb1e);
     let mut pebbles: Vec<Pebble> = Vec::new();
-    for (radius, tries) in [(0.1, 40), (0.07, 120), (0.05, 300), (0.033, 700), (0.02, 900)] {
+    let kinds = [
+        (0.085, 90, 0.85),
+        (0.06, 260, 0.8),
+        (0.045, 500, 0.72),
+        (0.032, 900, 0.66),
+        (0.02, 2200, 0.6),
+        (0.012, 2500, 0.6),
+    ];
+    for (radius, tries, apart) in kinds {
         for _ in 0..tries {
             let middle = [random.unit(), random.unit()];
-            let radius = radius * random.between(0.8, 1.15);
+            let radius = radius * random.between(0.75, 1.3);
             let is_free = pebbles.iter().all(|other| {
                 let x = around(middle[0], other.middle[0]);
                 let y = around(middle[1], other.middle[1]);
-                x.hypot(y) > 0.86 * (radius + other.radius)
+                let least = apart * (radius + other.radius);
+                x * x + y * y > least * least
             });
             let angle = random.between(0.0, std::f32::consts::TAU);
-            let stretch = random.between(1.0, 1.3);
-            let lift = random.between(0.6, 1.2);
+            let stretch = random.between(1.0, 1.45);
+            let lift = random.unit();
             if is_free {
                 pebbles.push(Pebble {
                     middle,
                     radius,
                     stretch,
                     turn: [angle.cos(), angle.sin()],
-                    height: lift * (0.25 + 5.0 * radius),
+                    height: 2.6 * radius + 0.3 * lift * lift * smoothstep(0.01, 0.05, radius),
                 });
             }
         }
@@ -47,29 +56,38 @@ fn scattered() -> Vec<Pebble> {
 
 /// The whole picture.
 pub fn heights(size: [usize; 2]) -> Painting {
-    let pebbles = scattered();
-    Painting::new(size, |at| {
-        let bent = [
-            at[0] + 0.006 * fractal(1, at, [8, 8], 2, 0.5),
-            at[1] + 0.006 * fractal(2, at, [8, 8], 2, 0.5),
+    let [width, height] = size;
+    let bend = |at: [f32; 2]| [1, 2].map(|seed| 0.008 * fractal(seed, at, [10, 10], 2, 0.5));
+    let mut painting = Painting::new(size, |at| [0.1 * fractal(3, at, [5, 5], 3, 0.5); 3]);
+    for pebble in scattered() {
+        // Each stone rises out of the ground where its middle is.
+        let foot = 0.1 * fractal(3, pebble.middle, [5, 5], 3, 0.5);
+        let [cos, sin] = pebble.turn;
+        let reach = pebble.radius * 1.3 + 0.012;
+        let [wide, high] = [width, height].map(|extent| (reach * extent as f32).ceil() as i32);
+        let [column, row] = [
+            (pebble.middle[0] * width as f32) as i32,
+            (pebble.middle[1] * height as f32) as i32,
         ];
-        let ground = 0.12 + 0.05 * fractal(3, at, [6, 6], 3, 0.5);
-        let mut height = ground;
-        for pebble in &pebbles {
-            let x = around(pebble.middle[0], bent[0]);
-            let y = around(pebble.middle[1], bent[1]);
-            let reach = pebble.radius * 1.2;
-            if x.abs() > reach || y.abs() > reach {
-                continue;
+        for y in row - high..=row + high {
+            for x in column - wide..=column + wide {
+                let at = [
+                    (x as f32 + 0.5) / width as f32,
+                    (y as f32 + 0.5) / height as f32,
+                ];
+                let bent = bend(at);
+                let away = [0, 1].map(|i| at[i] + bent[i] - pebble.middle[i]);
+                let along = (away[0] * cos + away[1] * sin) / pebble.stretch.sqrt();
+                let beside = (away[1] * cos - away[0] * sin) * pebble.stretch.sqrt();
+                let out = (along * along + beside * beside) / (pebble.radius * pebble.radius);
+                if out < 1.0 {
+                    let dome = (1.0 - out).sqrt() * (1.0 - 0.25 * out);
+                    let [x, y] = [x.rem_euclid(width as i32), y.rem_euclid(height as i32)];
+                    let texel = &mut painting.texels[y as usize * width + x as usize];
+                    *texel = texel.map(|before| before.max(foot + dome * pebble.height));
+                }
             }
-            let [cos, sin] = pebble.turn;
-            let along = (x * cos + y * sin) / pebble.stretch.sqrt();
-            let beside = (y * cos - x * sin) * pebble.stretch.sqrt();
-            let out = (along * along + beside * beside) / (pebble.radius * pebble.radius);
-            let dome = (1.0 - out * out).max(0.0).sqrt();
-            height = height.max(ground + dome * pebble.height * smoothstep(1.0, 0.8, out));
         }
-        [height; 3]
-    })
-    .toned(TONE)
+    }
+    painting.toned(TONE)
 }

@@ -3,8 +3,8 @@
 /// A place, x to the right and y down.
 pub type Point = [f32; 2];
 
-/// The distance of a place from the line between two others.
-pub fn to_line(at: Point, [from, to]: [Point; 2]) -> f32 {
+/// The squared distance of a place from the line between two others.
+fn to_line_squared(at: Point, [from, to]: [Point; 2]) -> f32 {
     let along = [to[0] - from[0], to[1] - from[1]];
     let here = [at[0] - from[0], at[1] - from[1]];
     let length = along[0] * along[0] + along[1] * along[1];
@@ -14,14 +14,15 @@ pub fn to_line(at: Point, [from, to]: [Point; 2]) -> f32 {
         0.0
     };
     let beside = [here[0] - share * along[0], here[1] - share * along[1]];
-    (beside[0] * beside[0] + beside[1] * beside[1]).sqrt()
+    beside[0] * beside[0] + beside[1] * beside[1]
 }
 
 /// Lines that enclose something. Where they go around a place more often one way than the other, it is inside.
-#[derive(Default)]
 pub struct Outline {
     /// The lines.
     pub lines: Vec<[Point; 2]>,
+    /// How far outside the lines the edge is.
+    pub grown: f32,
 }
 
 impl Outline {
@@ -29,7 +30,12 @@ impl Outline {
     pub fn polygon(corners: &[Point]) -> Self {
         let next = corners.iter().cycle().skip(1);
         Self {
-            lines: corners.iter().zip(next).map(|(&from, &to)| [from, to]).collect(),
+            lines: corners
+                .iter()
+                .zip(next)
+                .map(|(&from, &to)| [from, to])
+                .collect(),
+            grown: 0.0,
         }
     }
 
@@ -38,7 +44,7 @@ impl Outline {
         let mut nearest = f32::MAX;
         let mut turns = 0;
         for &line in &self.lines {
-            nearest = nearest.min(to_line(at, line));
+            nearest = nearest.min(to_line_squared(at, line));
             let [from, to] = line;
             let is_below = |point: Point| point[1] > at[1];
             if is_below(from) != is_below(to) {
@@ -48,7 +54,12 @@ impl Outline {
                 }
             }
         }
-        if turns == 0 { nearest } else { -nearest }
+        let nearest = nearest.sqrt();
+        if turns == 0 {
+            nearest - self.grown
+        } else {
+            -nearest - self.grown
+        }
     }
 }
 
@@ -82,10 +93,8 @@ impl Shape {
     pub fn distance(&self, at: Point) -> f32 {
         match self {
             Self::Polygon(outline) => outline.distance(at),
-            Self::Disc(middle, radius) => {
-                (at[0] - middle[0]).hypot(at[1] - middle[1]) - radius
-            }
-            &Self::Stroke(line, half) => to_line(at, line) - half,
+            Self::Disc(middle, radius) => (at[0] - middle[0]).hypot(at[1] - middle[1]) - radius,
+            &Self::Stroke(line, half) => to_line_squared(at, line).sqrt() - half,
             &Self::Arc(middle, radius, half, [from, to]) => {
                 let (x, y) = (at[0] - middle[0], at[1] - middle[1]);
                 let angle = (y.atan2(x) - from).rem_euclid(std::f32::consts::TAU);

@@ -10,13 +10,18 @@ const TONE: Tone = [(85.1, 37.0), (65.4, 34.5), (49.0, 30.2)];
 pub fn cluster(size: [usize; 2]) -> Painting {
     let mut painting = Painting::new(size, |at| {
         let dust = 0.5 + 0.5 * fractal(1, at, [3, 3], 6, 0.6);
-        let grain = fractal(2, at, [64, 64], 3, 0.8);
-        let light = 0.16 + 0.16 * dust + 0.05 * grain;
-        [light * 1.15, light * mix(0.74, 0.9, dust), light * 0.6]
+        let grain = fractal(2, at, [96, 96], 3, 0.9);
+        let tint = 0.5 + 0.5 * fractal(4, at, [10, 10], 4, 0.7);
+        let light = (0.06 + 0.26 * dust + 0.08 * grain).max(0.02);
+        [
+            light * mix(1.1, 1.45, tint),
+            light * 0.95,
+            light * mix(0.8, 0.5, tint),
+        ]
     });
     let mut random = Random::new(0x57a5);
     // As many as there are in a picture of 512 × 512, whatever the size.
-    for star in 0..9000 {
+    for star in 0..20_000 {
         let at = [random.unit(), random.unit()];
         let density = fractal(5, at, [2, 2], 3, 0.6);
         let colour = match random.bits() % 8 {
@@ -26,14 +31,26 @@ pub fn cluster(size: [usize; 2]) -> Painting {
             _ => [1.0, 0.55, 0.3],
         };
         let (radius, light) = match star {
-            0..14 => (random.between(3.0, 5.5), 1.0),
-            14..60 => (random.between(1.7, 3.2), 0.6),
-            _ => (random.between(0.5, 0.85), random.between(0.05, 0.5)),
+            0..16 => (random.between(2.5, 4.5), 0.75),
+            16..60 => (random.between(1.5, 3.2), 0.5),
+            _ => {
+                let light = random.unit();
+                (
+                    random.between(0.5, 0.95),
+                    0.04 + 0.5 * light * light * light,
+                )
+            }
         };
-        if star >= 60 && random.between(-0.7, 0.7) > density {
+        if star >= 60 && random.between(-0.6, 0.9) > density {
             continue;
         }
-        shine(&mut painting, at, radius, colour.map(|part| part * light), star < 60);
+        shine(
+            &mut painting,
+            at,
+            radius,
+            colour.map(|part| part * light),
+            star < 60,
+        );
     }
     painting.toned(TONE)
 }
@@ -43,7 +60,7 @@ fn shine(painting: &mut Painting, at: [f32; 2], radius: f32, colour: [f32; 3], g
     let [width, height] = painting.size;
     let scale = width as f32 / 512.0;
     let radius = (radius * scale).max(0.3);
-    let reach = (radius * if glows { 6.0 } else { 2.5 }).ceil() as i32;
+    let reach = (radius * if glows { 8.0 } else { 2.5 }).ceil() as i32;
     let middle = [at[0] * width as f32, at[1] * height as f32];
     for y in -reach..=reach {
         for x in -reach..=reach {
@@ -52,7 +69,7 @@ fn shine(painting: &mut Painting, at: [f32; 2], radius: f32, colour: [f32; 3], g
             let out = out[0] * out[0] + out[1] * out[1];
             let mut light = (-out).exp();
             if glows {
-                light += 0.35 * (-out * 0.16).exp() - 0.0011;
+                light += 0.5 * (-out * 0.09).exp() - 0.002;
             }
             let column = (place[0] as i32).rem_euclid(width as i32) as usize;
             let row = (place[1] as i32).rem_euclid(height as i32) as usize;

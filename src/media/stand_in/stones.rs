@@ -18,7 +18,11 @@ fn wall() -> Wall {
     let mut random = Random::new(0x7115);
     let mut taken = [[false; UNITS]; UNITS];
     let mut wall = Vec::new();
-    for sizes in [&[[4, 4], [4, 3], [3, 4]][..], &[[3, 2], [2, 3], [3, 3]], &[[2, 2], [3, 2], [2, 1]]] {
+    for sizes in [
+        &[[4, 4], [4, 3], [3, 4]][..],
+        &[[3, 2], [2, 3], [3, 3]],
+        &[[2, 2], [3, 2], [2, 1]],
+    ] {
         for _ in 0..90 {
             let at = [0, 1].map(|_| random.bits() as usize % UNITS);
             let size = sizes[random.bits() as usize % sizes.len()];
@@ -28,7 +32,13 @@ fn wall() -> Wall {
     // What is left is filled with whatever fits.
     for size in [[3, 1], [1, 3], [2, 1], [1, 2], [1, 1]] {
         for at in 0..UNITS * UNITS {
-            place(&mut taken, &mut wall, [at % UNITS, at / UNITS], size, random.bits());
+            place(
+                &mut taken,
+                &mut wall,
+                [at % UNITS, at / UNITS],
+                size,
+                random.bits(),
+            );
         }
     }
     wall
@@ -42,8 +52,12 @@ fn place(
     bits: u32,
 ) {
     let units = || {
-        (0..size[0] * size[1])
-            .map(|unit| [(at[0] + unit % size[0]) % UNITS, (at[1] + unit / size[0]) % UNITS])
+        (0..size[0] * size[1]).map(|unit| {
+            [
+                (at[0] + unit % size[0]) % UNITS,
+                (at[1] + unit / size[0]) % UNITS,
+            ]
+        })
     };
     if units().all(|[x, y]| !taken[y][x]) {
         units().for_each(|[x, y]| taken[y][x] = true);
@@ -75,29 +89,42 @@ pub fn tiles(size: [usize; 2]) -> Painting {
         found
     };
     let at = |x: usize, y: usize| {
-        [(x as f32 + 0.5) / size[0] as f32, (y as f32 + 0.5) / size[1] as f32]
+        [
+            (x as f32 + 0.5) / size[0] as f32,
+            (y as f32 + 0.5) / size[1] as f32,
+        ]
     };
     let found = each_texel(size, |x, y| stone(at(x, y)));
     let heights = each_texel(size, |x, y| {
         let (inside, bits) = found[y * size[0] + x];
-        let face = smoothstep(0.06, 0.4, inside);
+        let face = smoothstep(0.04, 0.22, inside);
         // Each stone breaks in facets of its own.
         let facets = cells(bits, at(x, y), [9, 9]);
         let rough = fractal(bits ^ 5, at(x, y), [16, 16], 5, 0.6);
-        face * (0.02 + 0.012 * facets.nearest + 0.009 * rough)
+        face * (0.008 + 0.014 * facets.nearest + 0.012 * rough)
     });
     let light = slopes(size, &heights);
     let texels = each_texel(size, |x, y| {
         let index = y * size[0] + x;
         let (inside, bits) = found[index];
         let clouds = fractal(bits ^ 9, at(x, y), [4, 4], 4, 0.6);
-        let tan = blend([0.58, 0.47, 0.45], [0.64, 0.52, 0.37], unit(bits) + 0.4 * clouds);
-        let tan = scaled(tan, 0.9 + 0.2 * unit(bits.rotate_left(13)));
+        let tan = blend(
+            [0.57, 0.465, 0.44],
+            [0.615, 0.505, 0.395],
+            unit(bits) + 0.5 * clouds,
+        );
+        let tan = scaled(
+            tan,
+            0.85 + 0.25 * unit(bits.rotate_left(13)) + 0.12 * clouds,
+        );
         let grain = fractal(6, at(x, y), [128, 128], 2, 0.8);
-        let lit = scaled(tan, (1.0 + 0.24 * light[index] + 0.05 * grain).max(0.2));
+        let lit = scaled(tan, (1.0 + 0.2 * light[index] + 0.05 * grain).max(0.2));
         let dark = smoothstep(0.02, 0.0, (inside - 0.12).abs()) * 0.35;
         let mortar = scaled([0.66, 0.56, 0.53], 1.0 + 0.06 * grain);
-        scaled(blend(mortar, lit, smoothstep(0.06, 0.12, inside)), 1.0 - dark)
+        scaled(
+            blend(mortar, lit, smoothstep(0.06, 0.12, inside)),
+            1.0 - dark,
+        )
     });
     Painting { size, texels }.toned(TILES)
 }
@@ -105,7 +132,10 @@ pub fn tiles(size: [usize; 2]) -> Painting {
 /// Dark layered rock with lichen on it.
 pub fn lichen(size: [usize; 2]) -> Painting {
     let at = |x: usize, y: usize| {
-        [(x as f32 + 0.5) / size[0] as f32, (y as f32 + 0.5) / size[1] as f32]
+        [
+            (x as f32 + 0.5) / size[0] as f32,
+            (y as f32 + 0.5) / size[1] as f32,
+        ]
     };
     let bent = |at: [f32; 2]| {
         // The layers rise a little to the right.
@@ -114,31 +144,41 @@ pub fn lichen(size: [usize; 2]) -> Painting {
     };
     // Lichen grows in colonies of small lobes.
     let growth = |at: [f32; 2]| {
-        let colony = smoothstep(0.42, 0.72, fractal(12, at, [4, 4], 3, 0.55));
-        let lobes = cells(14, [at[0] + 0.006 * noise(15, at, [40, 40]), at[1]], [80, 80]);
+        let colony = smoothstep(0.36, 0.75, fractal(12, at, [4, 4], 3, 0.55));
+        let lobes = cells(
+            14,
+            [at[0] + 0.006 * noise(15, at, [40, 40]), at[1]],
+            [110, 110],
+        );
         let spread = smoothstep(0.6, 0.3, lobes.nearest + 0.5 * (1.0 - colony));
         (spread * smoothstep(0.05, 0.3, colony), unit(lobes.bits))
     };
     let heights = each_texel(size, |x, y| {
         let here = bent(at(x, y));
-        let layers = fractal(21, here, [2, 13], 5, 0.6);
+        let layers = fractal(21, here, [3, 11], 5, 0.62);
         let cracks = 1.0 - smoothstep(0.0, 0.3, fractal(24, here, [3, 16], 4, 0.55).abs());
         let (grown, _) = growth(at(x, y));
-        0.035 * layers - 0.014 * cracks + 0.008 * fractal(27, here, [40, 90], 3, 0.7) + 0.006 * grown
+        0.035 * layers - 0.014 * cracks
+            + 0.008 * fractal(27, here, [30, 50], 3, 0.75)
+            + 0.006 * grown
     });
     let light = slopes(size, &heights);
     let texels = each_texel(size, |x, y| {
         let index = y * size[0] + x;
         let here = bent(at(x, y));
-        let clouds = 0.5 + 0.5 * fractal(31, here, [3, 6], 5, 0.6);
-        let rock = blend([0.19, 0.22, 0.21], [0.42, 0.44, 0.42], clouds);
+        let clouds = 0.5 + 0.7 * fractal(31, here, [3, 5], 5, 0.62);
+        let rock = blend(
+            [0.12, 0.14, 0.135],
+            [0.44, 0.46, 0.44],
+            clouds.clamp(0.0, 1.0),
+        );
         let deep = smoothstep(-0.004, -0.028, heights[index]);
-        let lit = scaled(rock, (1.0 + 0.4 * light[index]).max(0.03));
+        let lit = scaled(rock, (1.0 + 0.3 * light[index]).max(0.03));
         let lit = scaled(lit, 1.0 - 0.75 * deep);
         let (grown, kind) = growth(at(x, y));
         // Some of it is yellow, in a few places.
         let yellow = smoothstep(0.45, 0.6, noise(34, at(x, y), [3, 3]));
-        let pale = blend([0.62, 0.68, 0.64], [0.8, 0.83, 0.8], kind);
+        let pale = blend([0.36, 0.42, 0.39], [0.74, 0.78, 0.75], kind);
         let pale = blend(pale, [0.6, 0.64, 0.25], 0.8 * yellow);
         let pale = scaled(pale, (0.85 + 0.3 * light[index]).clamp(0.15, 1.3));
         blend(lit, pale, 0.85 * grown)

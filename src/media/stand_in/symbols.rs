@@ -7,7 +7,11 @@ use super::shape::{Point, Shape};
 /// The parts of a cell's symbol, in a cell of 64 × 64. `None` from the third row on.
 pub fn shapes(code: usize) -> Option<Vec<Shape>> {
     Some(match code {
-        0x00 => vec![bar(9.0), triangle(34.0, 15.0, -20.0), triangle(55.0, 35.0, -20.0)],
+        0x00 => vec![
+            bar(9.0),
+            triangle(34.0, 15.0, -20.0),
+            triangle(55.0, 35.0, -20.0),
+        ],
         0x01 => vec![triangle(33.0, 12.0, -21.0), triangle(52.0, 31.0, -21.0)],
         0x02 => vec![triangle(42.0, 23.0, -19.0)],
         0x03 => vec![Shape::Disc([32.0, 31.0], 18.0)],
@@ -18,7 +22,11 @@ pub fn shapes(code: usize) -> Option<Vec<Shape>> {
             Shape::rectangle([36.0, 12.0], [44.0, 52.0]),
         ],
         0x07 => vec![triangle(12.0, 33.0, 21.0), triangle(31.0, 52.0, 21.0)],
-        0x08 => vec![triangle(9.0, 29.0, 20.0), triangle(30.0, 49.0, 20.0), bar(51.0)],
+        0x08 => vec![
+            triangle(9.0, 29.0, 20.0),
+            triangle(30.0, 49.0, 20.0),
+            bar(51.0),
+        ],
         0x09 => vec![head(27.0, 46.0, 5.5), stem(33.0, 46.0, 8.0)],
         0x0a => vec![
             head(28.0, 44.0, 3.8),
@@ -63,7 +71,12 @@ pub fn shapes(code: usize) -> Option<Vec<Shape>> {
         0x1f => {
             let mut parts = speaker(0.0);
             for radius in [14.0, 20.0, 26.0] {
-                parts.push(Shape::Arc([36.0, 33.0], radius, 1.3, [PI * 0.78, PI * 1.22]));
+                parts.push(Shape::Arc(
+                    [36.0, 33.0],
+                    radius,
+                    1.3,
+                    [PI * 0.78, PI * 1.22],
+                ));
             }
             parts
         }
@@ -154,7 +167,11 @@ fn turning(is_clockwise: bool) -> Vec<Shape> {
     let tip: Point = [32.0 + 5.0 * side, 14.0];
     vec![
         Shape::Arc([32.0, 32.0], 15.0, 1.6, [PI * -0.3, PI * 1.3]),
-        Shape::polygon(&[tip, [tip[0] + 11.0 * side, 16.5], [tip[0] + 3.0 * side, 26.0]]),
+        Shape::polygon(&[
+            tip,
+            [tip[0] + 11.0 * side, 16.5],
+            [tip[0] + 3.0 * side, 26.0],
+        ]),
     ]
 }
 
@@ -184,7 +201,12 @@ fn smile() -> Shape {
 fn speaker(shift: f32) -> Vec<Shape> {
     let at = |x: f32, y: f32| [x + shift, y];
     vec![
-        Shape::polygon(&[at(32.0, 17.0), at(43.0, 27.0), at(43.0, 39.0), at(32.0, 49.0)]),
+        Shape::polygon(&[
+            at(32.0, 17.0),
+            at(43.0, 27.0),
+            at(43.0, 39.0),
+            at(32.0, 49.0),
+        ]),
         Shape::rectangle(at(40.0, 27.0), at(50.0, 39.0)),
     ]
 }
