@@ -91,7 +91,7 @@ fn bar(left: f32) -> Shape {
 
 /// A triangle with an upright side and a tip; `reach` says how far and to which side.
 fn triangle(side: f32, tip: f32, reach: f32) -> Shape {
-    let half = reach.abs() * 1.0;
+    let half = reach.abs();
     Shape::polygon(&[[side, 32.0 - half], [tip, 32.0], [side, 32.0 + half]])
 }
 
