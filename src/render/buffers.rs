@@ -4,7 +4,7 @@
 use glam::UVec2;
 
 use super::gpu::{Gpu, GpuError};
-use super::mipmap::Mipmaps;
+use super::mipmap::{Mipmaps, levels_of_layers};
 use super::pass::GpuPass;
 use crate::scene::{BufferLetter, Filter, Input, PassKind};
 
@@ -124,21 +124,10 @@ impl Half {
                 ..Default::default()
             })
         };
-        let drawn = |face: u32, level: u32| {
-            texture.create_view(&wgpu::TextureViewDescriptor {
-                dimension: Some(wgpu::TextureViewDimension::D2),
-                base_array_layer: face,
-                array_layer_count: Some(1),
-                base_mip_level: level,
-                mip_level_count: Some(1),
-                ..Default::default()
-            })
-        };
-        let levels_of = |face| (0..levels).map(|level| drawn(face, level)).collect();
         Half {
             whole: seen(None),
             largest: seen(Some(1)),
-            faces: (0..surface.faces()).map(levels_of).collect(),
+            faces: levels_of_layers(&texture),
             texture,
         }
     }
@@ -242,9 +231,7 @@ impl Buffers {
     ) {
         let format = surface.format(gpu);
         for levels in &self.drawn(surface).faces {
-            for pair in levels.windows(2) {
-                mipmaps.shrink(gpu, encoder, format, &pair[0], &pair[1]);
-            }
+            mipmaps.shrink(gpu, encoder, format, levels);
         }
     }
 

@@ -34,7 +34,6 @@ use std::time::Instant;
 
 use buffers::{Buffers, Surface};
 use glam::UVec2;
-use mipmap::Mipmaps;
 use texture::Textures;
 use uniforms::Part;
 
@@ -73,8 +72,6 @@ pub struct Cursor {
 pub struct Renderer {
     passes: Vec<pass::GpuPass>,
     format: Format,
-    /// For buffers that are read where they are shrunk.
-    mipmaps: Option<Mipmaps>,
     /// Those of them that change are written before each frame.
     textures: Mutex<Textures>,
 }
@@ -100,21 +97,14 @@ impl Renderer {
                 pass::GpuPass::new(gpu, pass, program, format, place, inputs, &mut textures)?;
             passes.push(pass);
         }
-        let mut shrunk = Vec::new();
         for (surface, filter) in passes.iter().flat_map(pass::GpuPass::reads) {
-            let format = surface.format(gpu);
-            if filter == Filter::Mipmap && !shrunk.contains(&format) {
-                shrunk.push(format);
+            if filter == Filter::Mipmap {
+                textures.mipmaps.prepare(gpu, surface.format(gpu))?;
             }
         }
-        let mipmaps = match shrunk.is_empty() {
-            false => Some(Mipmaps::new(gpu, &shrunk)?),
-            true => None,
-        };
         Ok(Renderer {
             passes,
             format,
-            mipmaps,
             textures: Mutex::new(textures),
         })
     }
@@ -267,8 +257,9 @@ impl Renderer {
         if end < self.rows_of(canvas, from) {
             return Some(Cursor { row: end, ..from });
         }
-        if let (Some(surface), Some(mipmaps)) = (pass.draws(), &self.mipmaps) {
-            buffers.shrink(gpu, mipmaps, encoder, surface);
+        if let Some(surface) = pass.draws() {
+            let textures = self.textures.lock().expect("no holder panics");
+            buffers.shrink(gpu, &textures.mipmaps, encoder, surface);
         }
         if !is_last {
             return Some(Cursor {

@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex};
 use half::f16;
 
 use super::gpu::{Gpu, GpuError};
+use super::mipmap::{Mipmaps, levels_of_layers};
 use crate::media::{Content, Feed, Format, Texels};
 use crate::scene::{Channel, Filter, Input, SamplerKind};
 
@@ -13,6 +14,8 @@ use crate::scene::{Channel, Filter, Input, SamplerKind};
 pub(super) struct Textures {
     still: Vec<(Arc<Texels>, Use, wgpu::TextureView)>,
     live: Vec<Live>,
+    /// What makes their smaller levels, and those of what passes draw.
+    pub mipmaps: Mipmaps,
 }
 
 /// How a channel wants its texture made.
@@ -53,7 +56,7 @@ impl Textures {
                 if let Some((.., view)) = self.still.iter().find(is_known) {
                     return Ok(view.clone());
                 }
-                let view = upload(gpu, texels, usage)?;
+                let view = upload(gpu, &mut self.mipmaps, texels, usage)?;
                 self.still.push((Arc::clone(texels), usage, view.clone()));
                 Ok(view)
             }
@@ -135,7 +138,7 @@ pub(super) fn unbound(gpu: &Gpu, kind: SamplerKind) -> Result<wgpu::TextureView,
         is_flipped: false,
         is_shrunk: false,
     };
-    upload(gpu, &texels, usage)
+    upload(gpu, &mut Mipmaps::default(), &texels, usage)
 }
 
 pub(super) fn dimension(kind: SamplerKind) -> wgpu::TextureViewDimension {
@@ -146,14 +149,21 @@ pub(super) fn dimension(kind: SamplerKind) -> wgpu::TextureViewDimension {
     }
 }
 
-fn upload(gpu: &Gpu, texels: &Texels, usage: Use) -> Result<wgpu::TextureView, GpuError> {
-    let largest = texels.size.into_iter().max().unwrap_or(0);
-    let limit = match usage.kind {
-        SamplerKind::ThreeD => gpu.device().limits().max_texture_dimension_3d,
-        _ => gpu.max_size(),
+fn upload(
+    gpu: &Gpu,
+    mipmaps: &mut Mipmaps,
+    texels: &Texels,
+    usage: Use,
+) -> Result<wgpu::TextureView, GpuError> {
+    let [width, height, depth] = texels.size;
+    let (largest, limit) = match usage.kind {
+        SamplerKind::ThreeD => {
+            let limit = gpu.device().limits().max_texture_dimension_3d;
+            (width.max(height).max(depth), limit)
+        }
+        _ => (width.max(height), gpu.max_size()),
     };
     if largest > limit {
-        let [width, height, _] = texels.size;
         let size = glam::uvec2(width, height);
         return Err(GpuError::Size { size, limit });
     }
@@ -161,19 +171,31 @@ fn upload(gpu: &Gpu, texels: &Texels, usage: Use) -> Result<wgpu::TextureView, G
     if usage.is_flipped {
         base.flip(usage.kind);
     }
-    let mut levels = vec![base];
-    while usage.is_shrunk
-        && let Some(last) = levels.last()
-        && last.sides(usage.kind) > 1
-    {
-        levels.push(last.shrunk(usage.kind));
-    }
-    let count = levels.len() as u32;
+    let count = if usage.is_shrunk {
+        largest.ilog2() + 1
+    } else {
+        1
+    };
     let texture = new_texture(gpu, usage.kind, texels.size, texels.format, count)?;
+    let format = texture.format();
+    if count > 1 && usage.kind != SamplerKind::ThreeD {
+        mipmaps.prepare(gpu, format)?;
+    }
     gpu.guarded("filling a channel's texture", || {
-        for (number, level) in (0..).zip(&levels) {
-            let bytes = level.bytes(texture.format());
-            write(gpu, &texture, number, level.size, &bytes);
+        write(gpu, &texture, 0, base.size, &base.bytes(format));
+        if usage.kind == SamplerKind::ThreeD {
+            let mut level = base;
+            for number in 1..count {
+                level = level.shrunk();
+                write(gpu, &texture, number, level.size, &level.bytes(format));
+            }
+        } else {
+            let descriptor = wgpu::CommandEncoderDescriptor { label: None };
+            let mut encoder = gpu.device().create_command_encoder(&descriptor);
+            for levels in levels_of_layers(&texture) {
+                mipmaps.shrink(gpu, &mut encoder, format, &levels);
+            }
+            gpu.queue().submit([encoder.finish()]);
         }
         texture.create_view(&wgpu::TextureViewDescriptor {
             dimension: Some(dimension(usage.kind)),
@@ -190,6 +212,7 @@ fn new_texture(
     levels: u32,
 ) -> Result<wgpu::Texture, GpuError> {
     use wgpu::TextureFormat::{R8Unorm, R16Float, R32Float, Rgba8Unorm, Rgba16Float, Rgba32Float};
+    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
     gpu.guarded("making a channel's texture", || {
         gpu.device().create_texture(&wgpu::TextureDescriptor {
             label: Some("channel"),
@@ -213,7 +236,10 @@ fn new_texture(
                 (Format::Rgba32Float, true) => Rgba32Float,
                 (Format::Rgba32Float, false) => Rgba16Float,
             },
-            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+            usage: match levels > 1 && kind != SamplerKind::ThreeD {
+                true => usage | wgpu::TextureUsages::RENDER_ATTACHMENT,
+                false => usage,
+            },
             view_formats: &[],
         })
     })
@@ -269,17 +295,6 @@ impl Level {
         }
     }
 
-    /// The longest of the sides that become shorter.
-    fn sides(&self, kind: SamplerKind) -> u32 {
-        let [width, height, depth] = self.size;
-        let flat = width.max(height);
-        if kind == SamplerKind::ThreeD {
-            flat.max(depth)
-        } else {
-            flat
-        }
-    }
-
     /// Turns each layer over, so that its last row becomes the first. The faces of a cubemap that look up and down change
     /// places then.
     fn flip(&mut self, kind: SamplerKind) {
@@ -295,15 +310,12 @@ impl Level {
         }
     }
 
-    /// The next level, each texel linear between those around its centre, as GL's `generateMipmap` makes it: the mean of
-    /// 2 × 2 texels, of 2 × 2 × 2 in a volume, where sides are even.
-    fn shrunk(&self, kind: SamplerKind) -> Level {
+    /// The next level of a volume, each texel linear between those around its centre: the mean of eight where sides are
+    /// even.
+    fn shrunk(&self) -> Level {
         let [width, height, depth] = self.size;
         let half = |side: u32| (side / 2).max(1);
-        let size = match kind {
-            SamplerKind::ThreeD => [half(width), half(height), half(depth)],
-            _ => [half(width), half(height), depth],
-        };
+        let size = [half(width), half(height), half(depth)];
         let [xs, ys, zs] = [0, 1, 2].map(|axis| taps(self.size[axis], size[axis]));
         let mut numbers =
             Vec::with_capacity(size.iter().product::<u32>() as usize * self.components);
@@ -383,18 +395,11 @@ mod tests {
     }
 
     #[test]
-    fn levels_are_means() {
-        let smaller = level([2, 2, 1], &[0, 10, 20, 255]).shrunk(SamplerKind::TwoD);
-        assert_eq!((smaller.size, &*smaller.numbers), ([1, 1, 1], &[71.0][..]));
-        let smaller = level([2, 2, 2], &[0, 0, 0, 0, 8, 8, 8, 8]).shrunk(SamplerKind::ThreeD);
+    fn levels_of_volumes_are_means() {
+        let smaller = level([2, 2, 2], &[0, 0, 0, 0, 8, 8, 8, 9]).shrunk();
         assert_eq!((smaller.size, &*smaller.numbers), ([1, 1, 1], &[4.0][..]));
-        // Faces are not mixed, and a side of one texel stays.
-        let faces =
-            level([1, 2, 6], &[0, 2, 1, 3, 2, 4, 3, 5, 4, 6, 5, 7]).shrunk(SamplerKind::Cube);
-        assert_eq!(
-            (faces.size, &*faces.numbers),
-            ([1, 1, 6], &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0][..])
-        );
+        let smaller = level([1, 2, 1], &[1, 2]).shrunk();
+        assert_eq!((smaller.size, &*smaller.numbers), ([1, 1, 1], &[2.0][..]));
     }
 
     #[test]
