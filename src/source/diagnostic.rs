@@ -66,6 +66,12 @@ impl Diagnostic {
         self
     }
 
+    /// Says ahead of the message what it is about.
+    pub fn within(mut self, what: &str) -> Self {
+        self.message = format!("{what}: {}", self.message);
+        self
+    }
+
     /// Points at another place.
     pub fn note(mut self, span: Span, text: impl Into<String>) -> Self {
         self.notes.push((span, text.into()));

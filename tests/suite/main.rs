@@ -11,6 +11,7 @@ mod bad_input;
 mod check_many;
 mod codes;
 mod define;
+mod directives;
 mod forms;
 mod fuzz;
 mod glsl_lenient;

@@ -147,16 +147,13 @@ pub(super) fn usual(input: &Input) -> Sampling {
     }
 }
 
-/// Settings of a channel that nothing is bound to.
-pub(super) fn refuse_idle(settings: &Settings) -> Result<(), Diagnostic> {
-    let Some(place) = settings.first else {
-        return Ok(());
-    };
-    Err(
-        Diagnostic::error("directive", "nothing is bound to this channel")
-            .at(place)
-            .hint("bind a file, as in `#iChannel0 \"rock.png\"`"),
-    )
+/// A warning about settings of a channel that nothing is bound to.
+pub(super) fn idle(index: usize, settings: &Settings) -> Option<Diagnostic> {
+    let message = format!("this does nothing: nothing is bound to iChannel{index}");
+    let warning = Diagnostic::warning("unbound-channel", message).at(settings.first?);
+    Some(warning.hint(format!(
+        "bind a file, as in `#iChannel{index} \"rock.png\"`"
+    )))
 }
 
 /// One setting, with the place of its value.

@@ -17,6 +17,9 @@ const MAX_DEPTH: usize = 16;
 /// How often a text may include others, all of them counted as often as they come.
 const MAX_INCLUDES: u64 = 1_000;
 
+/// Values that a person may set.
+const MAX_UNIFORMS: usize = 200;
+
 /// A text with all that its directives say.
 #[derive(Default)]
 pub(super) struct Unit {
@@ -169,6 +172,10 @@ impl Gathering<'_> {
         match found.name {
             "iUniform" => {
                 let uniform = uniform::parse(&mut line)?;
+                if self.unit.uniforms.len() == MAX_UNIFORMS {
+                    let message = format!("there are more than {MAX_UNIFORMS} values to set");
+                    return Err(Diagnostic::error("directive", message).at(uniform.place));
+                }
                 self.unit.uniforms.push(uniform);
                 return Ok(());
             }

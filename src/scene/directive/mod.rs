@@ -116,7 +116,8 @@ impl Shaders<'_> {
         let mut channels = [const { None }; CHANNELS];
         for (index, binding) in unit.channels.iter().enumerate() {
             let Some(binding) = binding else {
-                channel::refuse_idle(&unit.settings[index])?;
+                let idle = channel::idle(index, &unit.settings[index]);
+                self.loading.warnings.extend(idle);
                 continue;
             };
             let settings = &unit.settings[index];

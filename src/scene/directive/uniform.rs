@@ -74,7 +74,9 @@ pub(super) fn parse(line: &mut Line<'_>) -> Result<Uniform, Diagnostic> {
             name.text,
             default.len()
         );
-        return Err(Diagnostic::error("directive", message).at(name.place));
+        return Err(Diagnostic::error("directive", message)
+            .at(name.place)
+            .hint("give one number for all, or as many as there are components"));
     }
     let is_integer = ty.starts_with('i');
     let mut numbers = Vec::new();

@@ -41,6 +41,9 @@ pub fn import(source: &Source) -> Result<Imported, LoadError> {
     })
 }
 
+/// The most passes that are taken apart. The site's shaders have up to 11.
+const MAX_PASSES: usize = 100;
+
 fn take_apart(loading: &mut Loading, file: FileId) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let text = loading.files.get(file).text.clone();
     if !json::is_json(&text) {
@@ -63,6 +66,13 @@ fn take_apart(loading: &mut Loading, file: FileId) -> Result<Vec<(String, Vec<u8
             .at(loading.files.whole(file))
             .into());
     };
+    if tabs.len() > MAX_PASSES {
+        let message = format!("the shader has more than {MAX_PASSES} passes");
+        return Err(Diagnostic::error("json", message)
+            .at(loading.files.whole(file))
+            .hint("each would become a file")
+            .into());
+    }
     let names = file_names(&tabs);
     let mut files = Vec::new();
     let mut entries = Vec::new();
@@ -157,7 +167,8 @@ fn manifest(object: &Object, tabs: &[Parsed], names: &[String]) -> String {
     }
     for (kind, tab, name) in passes {
         let table = file_of(kind).trim_end_matches(".glsl");
-        write!(text, "\n[{table}]\nsource = {}\n", quoted(name)).expect("strings take all text");
+        let gap = if text.is_empty() { "" } else { "\n" };
+        write!(text, "{gap}[{table}]\nsource = {}\n", quoted(name)).expect("strings take all text");
         for (index, channel) in tab.channels.iter().enumerate() {
             if let Some(channel) = channel {
                 let entry = channel_entry(&canonical(channel.clone()), quoted);

@@ -14,6 +14,7 @@ const CUBE_A: &str = "4dX3Rr";
 
 /// An entry of `inputs`, with the keys of both dialects.
 #[derive(Deserialize)]
+#[serde(expecting = "an object")]
 struct Entry<'a> {
     id: Option<Loose>,
     #[serde(rename = "type")]
@@ -27,6 +28,7 @@ struct Entry<'a> {
 }
 
 #[derive(Default, Deserialize)]
+#[serde(expecting = "an object")]
 struct Settings<'a> {
     #[serde(borrow)]
     filter: Option<&'a RawValue>,
@@ -49,7 +51,9 @@ pub(super) fn channel<'a>(
     pass: &str,
     part: &'a str,
 ) -> Result<Bound, Diagnostic> {
-    let entry: Entry = reader.parse(part)?;
+    let entry: Entry = reader
+        .parse(part)
+        .map_err(|problem| problem.within(&format!("{pass}: an entry of `inputs`")))?;
     let text = |value: Option<Loose>| value.map_or_else(String::new, |value| value.0);
     let warning = |code, words: String| Diagnostic {
         pass: Some(pass.to_owned()),
@@ -92,7 +96,9 @@ pub(super) fn channel<'a>(
         warnings.push(warning("unknown-media", words));
     }
     let settings = match entry.sampler {
-        Some(sampler) => reader.parse(sampler.get())?,
+        Some(sampler) => reader
+            .parse(sampler.get())
+            .map_err(|problem| problem.within(&format!("{pass}: iChannel{index}: `sampler`")))?,
         None => Settings::default(),
     };
     let mut unknown = |key: &str, value: &'a RawValue, read_as: &str| {
@@ -105,7 +111,8 @@ pub(super) fn channel<'a>(
             ..Diagnostic::warning("unknown-sampler", words).at(reader.start(value.get()))
         });
     };
-    let sampling = sampling(reader, &input, &settings, &mut unknown)?;
+    let sampling = sampling(reader, &input, &settings, &mut unknown)
+        .map_err(|problem| problem.within(&format!("{pass}: iChannel{index}: `sampler`")))?;
     Ok(Bound {
         channel: Some((index, Channel { input, sampling })),
         warnings,

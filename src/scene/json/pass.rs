@@ -32,6 +32,7 @@ pub(in crate::scene) struct Parsed {
 }
 
 #[derive(Deserialize)]
+#[serde(expecting = "an object")]
 struct RenderPass<'a> {
     #[serde(rename = "type")]
     kind: Loose,
@@ -56,8 +57,10 @@ pub(super) fn tabs<'a>(
     warnings: &mut Vec<Diagnostic>,
 ) -> Result<Vec<Parsed>, Diagnostic> {
     let mut passes = Vec::new();
-    for entry in entries {
-        passes.push(reader.parse::<RenderPass>(entry.get())?);
+    for (index, entry) in entries.iter().enumerate() {
+        let pass = reader.parse::<RenderPass>(entry.get());
+        let place = || format!("entry {} of `renderpass`", index + 1);
+        passes.push(pass.map_err(|problem| problem.within(&place()))?);
     }
     let letters = letters(reader, entries, &passes)?;
     let (mut tabs, mut reads) = (Vec::new(), Vec::new());
@@ -90,7 +93,14 @@ pub(super) fn tabs<'a>(
             channels,
         });
     }
-    let is_there = |kind| tabs.iter().any(|tab| tab.kind == Tab::Pass(kind));
+    let mut drawn: Vec<PassKind> = Vec::new();
+    for tab in &tabs {
+        match tab.kind {
+            Tab::Pass(kind) if !drawn.contains(&kind) => drawn.push(kind),
+            _ => {}
+        }
+    }
+    let is_there = |kind| drawn.contains(&kind);
     for (tab, index, input, part) in reads {
         let Tab::Pass(kind) = tab else { continue };
         let missing = missing_pass(kind, index, &input, is_there);
