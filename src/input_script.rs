@@ -8,7 +8,7 @@
 //! {"frame":20,"time":0.333,"key":65,"down":true}
 //! ```
 
-use std::fs::{File, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
@@ -236,6 +236,9 @@ impl Recorder {
     /// Creates the file, of pictures of this size and about so many frames a second. A file that is there already
     /// is replaced only with `overwrite`.
     pub fn create(path: &Path, size: UVec2, fps: f64, overwrite: bool) -> io::Result<Self> {
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder)?;
+        }
         let mut options = OpenOptions::new();
         match overwrite {
             true => options.create(true).truncate(true),
@@ -329,7 +332,7 @@ mod tests {
     #[test]
     fn what_is_recorded_is_read_again() {
         let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.jsonl");
+        let path = folder.path().join("new").join("a.jsonl");
         let size = UVec2::new(100, 50);
         let mut recorder = Recorder::create(&path, size, 60.0, false).unwrap();
         let clock = Clock::fixed(25.0);

@@ -6,7 +6,7 @@ use std::time::Instant;
 use glam::UVec2;
 
 use super::{ExportError, Job, Summary};
-use crate::frame::{FloatImage, FrameImage, FrameInput};
+use crate::frame::{Controls, FloatImage, FrameImage, FrameInput};
 use crate::output::{self, PngSink, WriteError};
 use crate::render::{Gpu, GpuError, Watchdog};
 use crate::scene::Source;
@@ -131,6 +131,21 @@ impl Layers {
         Ok(drawn.image)
     }
 
+    /// Draws a frame that is not wanted itself, but that buffers remember.
+    fn pass(
+        &mut self,
+        gpu: &Gpu,
+        input: &FrameInput,
+        waiting: &mut dyn FnMut(Moment),
+    ) -> Result<(), GpuError> {
+        let probes = self.probes.iter_mut().map(|(_, subject)| subject);
+        let counts = self.rounds.iter_mut().chain(&mut self.all_rounds);
+        for subject in probes.chain(counts).chain([&mut self.picture]) {
+            subject.draw(gpu, input, waiting)?;
+        }
+        Ok(())
+    }
+
     /// The values of one frame.
     fn channels(
         &mut self,
@@ -201,6 +216,19 @@ pub fn export_layers(
     let mut summary = Summary::default();
     let mut sink = PngSink::default();
     let start = Instant::now();
+    // Left to themselves, subjects take it that mouse and keys were always as they are.
+    let depends = matches!(job.controls, Controls::Script(_));
+    let feeds_back = depends && layers.picture.session.renderer.feeds_back();
+    for (_, input) in job.before(feeds_back) {
+        let mut goes_on = true;
+        watchdog.begin();
+        layers.pass(gpu, &input, &mut |_| goes_on &= progress(0))?;
+        watchdog.rest();
+        if !goes_on {
+            summary.interrupted = true;
+            return Ok(summary);
+        }
+    }
     for (number, input) in job.inputs() {
         let path = job.out.path(number);
         watchdog.begin();

@@ -86,6 +86,41 @@ fn positions_follow_the_size_and_values_from_within_see_them_too() {
 }
 
 #[test]
+fn buffers_remember_what_was_done_before() {
+    use exr::prelude::{ReadChannels as _, ReadLayers as _};
+    if gpu().is_none() {
+        return;
+    }
+    let folder = Folder::new();
+    // Buffer A counts the frames in which the button was down.
+    let count = "void mainImage(out vec4 c, in vec2 p) {
+        c = texelFetch(iChannel0, ivec2(p), 0) + vec4(iMouse.z > 0.0 ? 0.25 : 0.0);
+    }";
+    let image = "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }";
+    folder.write("scene/buffer_a.glsl", count);
+    folder.write("scene/image.glsl", image);
+    folder.write("input.jsonl", SCRIPT);
+    // The button is down in frames 2 and 3.
+    let export = "export scene --size 4x2 --input input.jsonl --frames 5..6";
+    for (out, more) in [("plain.png", ""), ("layers.exr", "--probe p")] {
+        folder.run(&format!("{export} --out {out} {more}")).exits(0);
+    }
+    let plain = read_png(&folder.path().join("plain.png"));
+    assert_eq!(plain.pixel(1, 1), [128; 3]);
+    let layers = exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .first_valid_layer()
+        .all_attributes()
+        .from_file(folder.path().join("layers.exr"));
+    let channels = layers.expect("a picture").layer_data.channel_data.list;
+    let red = channels.iter().find(|channel| channel.name.eq("R"));
+    let red = red.expect("a channel").sample_data.values_as_f32();
+    assert_eq!(red.collect::<Vec<_>>(), [0.5; 8]);
+}
+
+#[test]
 fn a_mouse_and_a_date_can_be_given() {
     if gpu().is_none() {
         return;
