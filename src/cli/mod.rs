@@ -113,8 +113,17 @@ pub struct ExportArgs {
     #[arg(help = SCENE_HELP)]
     pub scene: PathBuf,
     /// Where to write, as PNG or EXR: `%d` or `%05d` stands for the frame number, `%%` for a percent sign
-    #[arg(long, short, value_name = "PATTERN")]
-    pub out: String,
+    #[arg(long, short, value_name = "PATTERN", required_unless_present = "sound")]
+    pub out: Option<String>,
+    /// Write the sound of the Sound pass instead, as WAV with 44,100 samples a second
+    #[arg(long, value_name = "FILE.wav", conflicts_with_all = ["out", "time", "probe", "count", "stats", "sanitize"])]
+    pub sound: Option<PathBuf>,
+    /// How long the sound is [default: as long as the frames, or 180]
+    #[arg(long, value_name = "N", value_parser = positive, requires = "sound", conflicts_with = "frames")]
+    pub seconds: Option<f64>,
+    /// What the samples of the sound are
+    #[arg(long, value_enum, value_name = "FORMAT", default_value_t = SoundFormat::Pcm16)]
+    pub sound_format: SoundFormat,
     /// The frames, by number: from A up to, not including, B [default: frame 0 alone]
     #[arg(long, value_name = "A..B", conflicts_with = "time")]
     pub frames: Option<FrameRange>,
@@ -376,6 +385,16 @@ pub enum Format {
 pub enum Count {
     /// Rounds of all loops
     Loops,
+}
+
+#[cfg(feature = "gpu")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SoundFormat {
+    /// Integers of 16 bits, which every program plays
+    #[value(name = "16")]
+    Pcm16,
+    /// Floats of 32 bits, as the shader gives them
+    Float,
 }
 
 #[cfg(feature = "gpu")]

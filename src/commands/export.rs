@@ -22,13 +22,17 @@ use super::findings::{checks, show_findings};
 use super::media::library;
 use super::opening::{adapter_choice, can_run, date, explain, gpu_failure, slow_frame, watchdog};
 use super::progress::Progress;
+use super::sound::export_sound;
 use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
 use crate::cli::{Count, ExportArgs, Precision};
 
 /// Frames per second where nothing says otherwise.
-const DEFAULT_FPS: f64 = 60.0;
+pub const DEFAULT_FPS: f64 = 60.0;
 
 pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
+    if let Some(path) = &args.sound {
+        return export_sound(&args, path);
+    }
     let job = job(&args)?;
     // What cannot be written is refused before anything is started.
     job.check_output().map_err(explain_export)?;
@@ -174,9 +178,14 @@ fn export_layered(
 }
 
 fn job(args: &ExportArgs) -> anyhow::Result<Job> {
-    let out = OutPattern::parse(&args.out).map_err(|error| {
+    // Without it there is `--sound`, and the command line is refused without either.
+    let out = args.out.as_deref().unwrap_or_default();
+    let out = OutPattern::parse(out).map_err(|error| {
         failure(
-            format!("`--out {}`: {error}", args.out),
+            format!(
+                "`--out {}`: {error}",
+                args.out.as_deref().unwrap_or_default()
+            ),
             "a pattern like frames/%05d.png gives every frame a file",
         )
     })?;
@@ -237,7 +246,7 @@ fn explain_export(error: ExportError) -> anyhow::Error {
 }
 
 /// Becomes true on the first Ctrl+C; a second one ends the process at once.
-fn interruption() -> anyhow::Result<Arc<AtomicBool>> {
+pub fn interruption() -> anyhow::Result<Arc<AtomicBool>> {
     let flag = Arc::new(AtomicBool::new(false));
     let raised = Arc::clone(&flag);
     ctrlc::set_handler(move || {

@@ -18,6 +18,8 @@ mod opening;
 mod progress;
 #[cfg(feature = "window")]
 mod run;
+#[cfg(feature = "gpu")]
+mod sound;
 mod source;
 #[cfg(feature = "gpu")]
 mod stability;

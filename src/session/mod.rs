@@ -255,9 +255,12 @@ fn unreadable(scene: &Scene, pass: &Pass, channel: usize, error: &MediaError) ->
     });
     Diagnostic {
         pass: Some(pass.kind.name().to_owned()),
-        ..Diagnostic::error("media", format!("iChannel{channel}: {error}"))
-            .at(own)
-            .hint(error.hint())
+        ..Diagnostic::error(
+            "media",
+            format!("iChannel{channel} of {}: {error}", pass.kind.name()),
+        )
+        .at(own)
+        .hint(error.hint())
     }
 }
 

@@ -58,6 +58,8 @@ mod lipschitz;
 #[cfg(feature = "gpu")]
 mod measure;
 #[cfg(feature = "gpu")]
+mod media;
+#[cfg(feature = "gpu")]
 mod orientation;
 #[cfg(feature = "gpu")]
 mod outputs;
