@@ -26,6 +26,14 @@ def arguments():
     parser.add_argument("--vitrine", default="target/release/vitrine", help="the program")
     parser.add_argument("--size", default="192x108", help="size of the pictures")
     parser.add_argument("--time", type=float, default=1.0, help="their time in seconds")
+    parser.add_argument(
+        "--frames",
+        action="store_true",
+        help="compare the frame that the reference drew last, not a time",
+    )
+    parser.add_argument(
+        "--media", metavar="FOLDER", help="the media that the reference had; without one it had none"
+    )
     parser.add_argument("--adapter", default="cpu", help="the adapter to draw with")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="pictures at once")
     parser.add_argument("--timeout", type=float, default=120, help="seconds for one picture")
@@ -33,10 +41,16 @@ def arguments():
     return parser.parse_args()
 
 
-def draw(options, path, out):
+def draw(options, path, out, frame):
     """Draws one picture; says what went wrong, or nothing."""
-    command = [options.vitrine, "export", path, "--out", out, "--overwrite"]
-    command += ["--size", options.size, "--time", str(options.time)]
+    command = [options.vitrine, "export", path, "--out", out, "--overwrite", "--no-stand-ins"]
+    command += ["--size", options.size]
+    if options.frames:
+        command += ["--frames", f"{frame}..{frame + 1}"]
+    else:
+        command += ["--time", str(options.time)]
+    if options.media:
+        command += ["--media", options.media]
     command += ["--adapter", options.adapter, "--frame-timeout", str(options.timeout)]
     try:
         done = subprocess.run(
@@ -60,8 +74,9 @@ def share_near(one, other):
 
 
 def compare(options, path, reference, folder):
+    reference, frame = reference
     out = os.path.join(folder, os.path.basename(path) + ".png")
-    problem = draw(options, path, out)
+    problem = draw(options, path, out, frame)
     if problem:
         return problem, None
     share = share_near(out, reference)
@@ -69,13 +84,15 @@ def compare(options, path, reference, folder):
 
 
 def reference_pictures(options):
-    """Of each file name the picture at the time asked for."""
+    """Of each file name the picture at the time asked for, or the last one, and its frame number."""
     pictures = {}
     with open(os.path.join(options.reference, "results.jsonl"), encoding="utf-8") as lines:
         for line in map(json.loads, lines):
             for one in line.get("files") or []:
-                if line["status"] == "ok" and abs(one["time"] - options.time) < 1e-6:
-                    pictures[line["file"]] = os.path.join(options.reference, one["file"])
+                is_it = options.frames or abs(one["time"] - options.time) < 1e-6
+                if line["status"] == "ok" and is_it:
+                    picture = os.path.join(options.reference, one["file"])
+                    pictures[line["file"]] = (picture, one["frame"])
     return pictures
 
 

@@ -21,6 +21,11 @@ def arguments():
         action="store_true",
         help="only shaders of one Image pass that reads no inputs",
     )
+    parser.add_argument(
+        "--busy",
+        action="store_true",
+        help="only shaders that read inputs or have several passes besides Common",
+    )
     return parser.parse_args()
 
 
@@ -31,13 +36,23 @@ def in_order(folder):
     return [name for digest, name in hashed if digest[0] in "01234567"]
 
 
-def is_single(path):
+def passes_of(path):
     with open(path, encoding="utf-8") as file:
         shader = json.load(file)
     if isinstance(shader, list):
         shader = shader[0]
-    passes = shader.get("Shader", shader)["renderpass"]
+    return shader.get("Shader", shader)["renderpass"]
+
+
+def is_single(path):
+    passes = passes_of(path)
     return len(passes) == 1 and passes[0]["type"] == "image" and not passes[0]["inputs"]
+
+
+def is_busy(path):
+    passes = passes_of(path)
+    several = sum(one["type"] != "common" for one in passes) > 1
+    return several or any(one["inputs"] for one in passes)
 
 
 def main():
@@ -48,6 +63,8 @@ def main():
             break
         path = os.path.join(options.folder, name)
         if options.single and not is_single(path):
+            continue
+        if options.busy and not is_busy(path):
             continue
         print(path)
         left -= 1

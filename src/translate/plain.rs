@@ -79,7 +79,8 @@ impl Plain {
         let text = texts.join("\n");
         let outline = Outline::of(&text);
         let begins_in_main = outline.words.windows(2).any(|two| two == ["void", "main"]);
-        if outline.mentions("mainImage") || !begins_in_main {
+        // A macro may make another function of what looks like one.
+        if outline.mentions("mainImage") || outline.macros.contains(&"main") || !begins_in_main {
             return None;
         }
         let mut given = Vec::new();
@@ -310,6 +311,8 @@ mod tests {
         assert!(recognised("void mainImage(out vec4 c, in vec2 p) {}\nvoid main() {}").is_none());
         assert!(recognised("/* void main() {} */ float f() { return 1.0; }").is_none());
         assert!(recognised("float main() { return 1.0; }").is_none());
+        let renamed = "#define main() mainImage(out vec4 c, in vec2 p)\nvoid main() {}";
+        assert!(recognised(renamed).is_none());
     }
 
     #[test]

@@ -103,6 +103,10 @@ impl Text<'_> {
         let checked = check(&mut ast, Places::new(tokens), check_options);
         diagnostics.extend(checked.diagnostics);
         fail_on_errors(&mut diagnostics)?;
+        // The head of other passes has it; a plain shader may have left it away with its macros.
+        if checked.hir.main.is_none() {
+            return Err(vec![refusal::no_entry_point(self.pass.kind, &self.texts())]);
+        }
         // The larger the text, the more it matters that not all its forms are kept at once.
         drop(ast);
         let names = &checked.hir.names;

@@ -91,7 +91,8 @@ fn filters_do_as_they_are_called() {
     let linear = format!("distance({between}, {mean}) < 0.01");
     let nearest = format!("distance({between}, {mean}) > 0.01");
     // The smallest level is the mean of all: half of everything, for each value is equally frequent.
-    let smallest = "distance(textureLod(iChannel0, vec2(0.3), 8.0), vec4(0.5)) < 0.02";
+    // Devices round each level as they please; one upward in all eight is off by 4/255.
+    let smallest = "distance(textureLod(iChannel0, vec2(0.3), 8.0), vec4(0.5)) < 0.04";
     let not_mixed = "distance(textureLod(iChannel0, vec2(0.3), 8.0), vec4(0.5)) > 0.02";
     assert_all_hold(&[&linear, smallest], ", filter = \"mipmap\"");
     assert_all_hold(&[&linear, not_mixed], ", filter = \"linear\"");

@@ -1,0 +1,5 @@
+#if 0
+void main() {
+    gl_FragColor = vec4(1.0);
+}
+#endif
