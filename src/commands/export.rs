@@ -19,8 +19,7 @@ use vitrine::session::{Session, Setup};
 use vitrine::translate::{Output, Probe};
 
 use super::findings::{checks, show_findings};
-use super::media::library;
-use super::opening::{adapter_choice, can_run, date, explain, gpu_failure, slow_frame, watchdog};
+use super::opening::{adapter_choice, date, explain, gpu_failure, setup, slow_frame, watchdog};
 use super::progress::Progress;
 use super::sound::export_sound;
 use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
@@ -52,13 +51,8 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     if let ([probe], false) = (wanted.probes.as_slice(), job.out.is_exr()) {
         options.output = Output::Probe(probe.clone());
     }
-    if !can_run(&source, &options)? {
+    let Some(setup) = setup(&source, options, &args.media)? else {
         return Ok(SCENE_HAS_PROBLEMS.into());
-    }
-    let setup = Setup {
-        options,
-        library: library(&args.media)?,
-        ..Setup::default()
     };
     let opening = Instant::now();
     let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;

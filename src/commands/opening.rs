@@ -6,11 +6,12 @@ use vitrine::frame::Date;
 use vitrine::render::{AdapterChoice, GpuError, Watchdog};
 use vitrine::report;
 use vitrine::scene::Source;
-use vitrine::session::OpenError;
+use vitrine::session::{OpenError, Setup};
 use vitrine::translate::{Options, translate};
 
+use super::media::library;
 use super::{HOST_FAILED, SCENE_HAS_PROBLEMS, failure, loaded, unreadable};
-use crate::cli::GpuArgs;
+use crate::cli::{GpuArgs, MediaArgs};
 
 pub fn adapter_choice(args: &GpuArgs) -> AdapterChoice {
     match &args.adapter {
@@ -30,12 +31,28 @@ pub fn date(text: Option<&str>) -> anyhow::Result<Option<Date>> {
 
 /// Whether a scene loads, translates and can be drawn; if not, its problems are printed. Asked before
 /// a driver is started and a window opened, which take far longer.
-pub fn can_run(source: &Source, options: &Options) -> anyhow::Result<bool> {
+fn can_run(source: &Source, options: &Options) -> anyhow::Result<bool> {
     let ready = loaded(source)?.and_then(|scene| translate(&scene, options));
     if let Err(report) = &ready {
         report::show(report);
     }
     Ok(ready.is_ok())
+}
+
+/// How to open a scene that can run; `None` if it cannot, and its problems are printed.
+pub fn setup(
+    source: &Source,
+    options: Options,
+    media: &MediaArgs,
+) -> anyhow::Result<Option<Setup>> {
+    if !can_run(source, &options)? {
+        return Ok(None);
+    }
+    Ok(Some(Setup {
+        options,
+        library: library(media)?,
+        ..Setup::default()
+    }))
 }
 
 pub fn gpu_failure(error: &GpuError) -> anyhow::Error {

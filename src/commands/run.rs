@@ -4,13 +4,11 @@ use std::process::ExitCode;
 
 use glam::UVec2;
 use vitrine::scene::Source;
-use vitrine::session::Setup;
 use vitrine::translate;
 use vitrine::window::{self, Options, PlayError, Record};
 
 use super::findings::checks;
-use super::media::library;
-use super::opening::{adapter_choice, can_run, date, explain, gpu_failure, watchdog};
+use super::opening::{adapter_choice, date, explain, gpu_failure, setup, watchdog};
 use super::{SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
 use crate::cli::RunArgs;
 
@@ -32,16 +30,12 @@ pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
     {
         return Err(unrecordable(&record.path, &ErrorKind::AlreadyExists.into()));
     }
-    if !can_run(&source, &translate)? {
+    let Some(setup) = setup(&source, translate, &args.media)? else {
         return Ok(SCENE_HAS_PROBLEMS.into());
-    }
+    };
     let options = Options {
         source,
-        setup: Setup {
-            options: translate,
-            library: library(&args.media)?,
-            ..Setup::default()
-        },
+        setup,
         size: UVec2::new(args.size.width, args.size.height),
         scale: args.scale,
         fps_limit: args.fps_limit,

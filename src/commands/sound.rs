@@ -8,11 +8,10 @@ use vitrine::frame::SAMPLE_RATE;
 use vitrine::output::{Samples, WavSink};
 use vitrine::render::{Gpu, SOUND_BLOCK};
 use vitrine::report;
-use vitrine::session::{Setup, Track};
+use vitrine::session::Track;
 
 use super::export::{DEFAULT_FPS, interruption};
-use super::media::library;
-use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
+use super::opening::{adapter_choice, explain, gpu_failure, setup, watchdog};
 use super::progress::Progress;
 use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
 use crate::cli::{ExportArgs, SoundFormat};
@@ -51,13 +50,8 @@ pub fn export_sound(args: &ExportArgs, path: &Path) -> anyhow::Result<ExitCode> 
         })?;
     let source = source(&args.scene, args.web.refresh)?;
     let options = options(args.define.clone());
-    if !can_run(&source, &options)? {
+    let Some(setup) = setup(&source, options, &args.media)? else {
         return Ok(SCENE_HAS_PROBLEMS.into());
-    }
-    let setup = Setup {
-        options,
-        library: library(&args.media)?,
-        ..Setup::default()
     };
     let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;
     let watchdog = watchdog(&args.gpu);

@@ -3,11 +3,9 @@ use std::process::ExitCode;
 use vitrine::measure::stability::{Examination, Verdict, cases, examine};
 use vitrine::render::Gpu;
 use vitrine::report;
-use vitrine::session::Setup;
 use vitrine::translate::{Checks, Options};
 
-use super::media::library;
-use super::opening::{adapter_choice, can_run, explain, gpu_failure, watchdog};
+use super::opening::{adapter_choice, explain, gpu_failure, setup, watchdog};
 use super::progress::Progress;
 use super::{SCENE_HAS_PROBLEMS, options, print, source};
 use crate::cli::{Format, StabilityArgs};
@@ -21,13 +19,8 @@ pub fn stability(args: StabilityArgs) -> anyhow::Result<ExitCode> {
         },
         ..options(args.define.clone())
     };
-    if !can_run(&source, &options)? {
+    let Some(setup) = setup(&source, options, &args.media)? else {
         return Ok(SCENE_HAS_PROBLEMS.into());
-    }
-    let setup = Setup {
-        options,
-        library: library(&args.media)?,
-        ..Setup::default()
     };
     let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;
     if !gpu.has_float64() {

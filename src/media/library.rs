@@ -105,13 +105,9 @@ impl Library {
 
     /// Where one of the site's media comes from here.
     pub fn origin(&self, item: &'static Item) -> Origin {
-        let names = [plain(item.id), plain(item.hash), plain(item.name)];
-        let short = names_of_collections(item).map(plain);
-        match names
-            .iter()
-            .chain(&short)
-            .find_map(|name| self.files.get(name))
-        {
+        let own = [item.id, item.hash, item.name];
+        let mut names = own.iter().chain(names_of_collections(item));
+        match names.find_map(|name| self.files.get(&plain(name))) {
             Some(path) => Origin::File(path.clone()),
             None => Origin::StandIn,
         }
@@ -318,14 +314,14 @@ fn plain(name: &str) -> String {
 }
 
 /// What public collections of the site's files call some of them.
-fn names_of_collections(item: &Item) -> [&'static str; 2] {
+fn names_of_collections(item: &Item) -> &'static [&'static str] {
     match item.id {
-        "XsfGzn" => ["Gallery", "Uffizi"],
-        "4sfGzn" => ["GalleryB", "UffiziBlurred"],
-        "XdX3zn" => ["Basilica", "StPeters"],
-        "4dX3zn" => ["BasilicaBlur", "BasilicaBlurred"],
-        "4sX3zn" => ["ForestBlur", "ForestB"],
-        _ => [item.id; 2],
+        "XsfGzn" => &["Gallery", "Uffizi"],
+        "4sfGzn" => &["GalleryB", "UffiziBlurred"],
+        "XdX3zn" => &["Basilica", "StPeters"],
+        "4dX3zn" => &["BasilicaBlur", "BasilicaBlurred"],
+        "4sX3zn" => &["ForestBlur", "ForestB"],
+        _ => &[],
     }
 }
 
