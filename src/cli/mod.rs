@@ -9,10 +9,12 @@ use std::path::PathBuf;
 use clap::builder::RangedU64ValueParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+#[cfg(feature = "gpu")]
+pub use value::Size;
 #[cfg(feature = "window")]
 use value::scale;
 #[cfg(feature = "gpu")]
-use value::{FrameRange, Mouse, Size, not_negative, positive, time};
+use value::{FrameRange, Mouse, not_negative, positive, time};
 
 #[cfg(feature = "gpu")]
 use define::vary;
@@ -74,9 +76,9 @@ const SANITIZE_HELP: &str = "Look for what GLSL leaves undefined and for what is
 pub struct RunArgs {
     #[arg(help = format!("{SCENE_HELP} [default: a scene that comes with the program]"))]
     pub scene: Option<PathBuf>,
-    /// Size of the window's picture in pixels
-    #[arg(long, value_name = "WxH", default_value = "960x540")]
-    pub size: Size,
+    /// Size of the window's picture in pixels [default: the scene's own, or 960x540]
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
     /// Pixels drawn for each pixel of the window's width and height, from 0.05 to 4
     #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = scale)]
     pub scale: f64,
@@ -102,7 +104,7 @@ pub struct RunArgs {
     #[command(flatten)]
     pub define: DefineArgs,
     #[command(flatten)]
-    pub media: MediaArgs,
+    pub inputs: InputArgs,
     #[command(flatten)]
     pub gpu: GpuArgs,
 }
@@ -134,9 +136,9 @@ pub struct ExportArgs {
     /// [default: 60]
     #[arg(long, value_name = "N", value_parser = positive)]
     pub fps: Option<f64>,
-    /// Size of the pictures in pixels
-    #[arg(long, value_name = "WxH", default_value = "1280x720")]
-    pub size: Size,
+    /// Size of the pictures in pixels [default: the scene's own, or 1280x720]
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
     /// Replay mouse and keys that `vitrine run --record-input` recorded
     #[arg(long, value_name = "FILE", conflicts_with = "mouse")]
     pub input: Option<PathBuf>,
@@ -169,7 +171,7 @@ pub struct ExportArgs {
     #[command(flatten)]
     pub define: DefineArgs,
     #[command(flatten)]
-    pub media: MediaArgs,
+    pub inputs: InputArgs,
     #[command(flatten)]
     pub gpu: GpuArgs,
 }
@@ -230,7 +232,7 @@ pub struct StabilityArgs {
     #[command(flatten)]
     pub define: DefineArgs,
     #[command(flatten)]
-    pub media: MediaArgs,
+    pub inputs: InputArgs,
     #[command(flatten)]
     pub gpu: GpuArgs,
 }
@@ -261,6 +263,17 @@ pub struct MediaArgs {
     /// Make nothing up: a channel reads (0, 0, 0, 1) where a copy is missing
     #[arg(long)]
     pub no_stand_ins: bool,
+}
+
+#[cfg(feature = "gpu")]
+#[derive(Clone, Debug, Args)]
+pub struct InputArgs {
+    #[command(flatten)]
+    pub media: MediaArgs,
+    /// Bind a channel to a file, one of the site's media, keyboard, mic, webcam or noise. Of another pass than Image, put
+    /// its name ahead, as in A.0=clip.mp4
+    #[arg(long, value_name = "[PASS.]N=FILE")]
+    pub channel: Vec<String>,
 }
 
 #[derive(Clone, Debug, Args)]

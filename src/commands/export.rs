@@ -19,7 +19,7 @@ use vitrine::session::{Session, Setup};
 use vitrine::translate::{Output, Probe};
 
 use super::findings::{checks, show_findings};
-use super::opening::{adapter_choice, date, explain, gpu_failure, setup, slow_frame, watchdog};
+use super::opening::{adapter_choice, date, explain, gpu_failure, ready, slow_frame, watchdog};
 use super::progress::Progress;
 use super::sound::export_sound;
 use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
@@ -28,11 +28,14 @@ use crate::cli::{Count, ExportArgs, Precision};
 /// Frames per second where nothing says otherwise.
 pub const DEFAULT_FPS: f64 = 60.0;
 
+/// The pictures of a scene that is made for no size.
+const USUAL_SIZE: UVec2 = UVec2::new(1280, 720);
+
 pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     if let Some(path) = &args.sound {
         return export_sound(&args, path);
     }
-    let job = job(&args)?;
+    let mut job = job(&args)?;
     // What cannot be written is refused before anything is started.
     job.check_output().map_err(explain_export)?;
     let source = source(&args.scene, args.web.refresh)?;
@@ -51,9 +54,11 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
     if let ([probe], false) = (wanted.probes.as_slice(), job.out.is_exr()) {
         options.output = Output::Probe(probe.clone());
     }
-    let Some(setup) = setup(&source, options, &args.media)? else {
+    let Some(ready) = ready(&source, options, &args.inputs)? else {
         return Ok(SCENE_HAS_PROBLEMS.into());
     };
+    job.size = ready.size(args.size, USUAL_SIZE);
+    let setup = ready.setup;
     let opening = Instant::now();
     let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;
     let driver = opening.elapsed();
@@ -198,7 +203,8 @@ fn job(args: &ExportArgs) -> anyhow::Result<Job> {
         fps,
         date: date(args.date.as_deref())?.unwrap_or_default(),
         controls,
-        size: UVec2::new(args.size.width, args.size.height),
+        // The scene may say another one.
+        size: USUAL_SIZE,
         out,
         overwrite: args.overwrite,
         timed: args.stats.is_some(),

@@ -2,16 +2,17 @@
 
 use std::time::Duration;
 
+use glam::UVec2;
 use vitrine::frame::Date;
 use vitrine::render::{AdapterChoice, GpuError, Watchdog};
 use vitrine::report;
-use vitrine::scene::Source;
+use vitrine::scene::{Binding, Source};
 use vitrine::session::{OpenError, Setup};
 use vitrine::translate::{Options, translate};
 
 use super::media::library;
 use super::{HOST_FAILED, SCENE_HAS_PROBLEMS, failure, loaded, unreadable};
-use crate::cli::{GpuArgs, MediaArgs};
+use crate::cli::{GpuArgs, InputArgs, Size};
 
 pub fn adapter_choice(args: &GpuArgs) -> AdapterChoice {
     match &args.adapter {
@@ -29,29 +30,54 @@ pub fn date(text: Option<&str>) -> anyhow::Result<Option<Date>> {
     date.transpose()
 }
 
-/// Whether a scene loads, translates and can be drawn; if not, its problems are printed. Asked before
-/// a driver is started and a window opened, which take far longer.
-fn can_run(source: &Source, options: &Options) -> anyhow::Result<bool> {
-    let ready = loaded(source)?.and_then(|scene| translate(&scene, options));
-    if let Err(report) = &ready {
-        report::show(report);
-    }
-    Ok(ready.is_ok())
+/// A scene that loads and translates.
+pub struct Ready {
+    /// How to open it.
+    pub setup: Setup,
+    /// The size that it is made for.
+    pub size: Option<UVec2>,
 }
 
-/// How to open a scene that can run; `None` if it cannot, and its problems are printed.
-pub fn setup(
+impl Ready {
+    /// The size of the pictures: what is asked for, or else the scene's own, or else `usual`.
+    pub fn size(&self, asked: Option<Size>, usual: UVec2) -> UVec2 {
+        let asked = asked.map(|size| UVec2::new(size.width, size.height));
+        asked.or(self.size).unwrap_or(usual)
+    }
+}
+
+/// Loads and translates a scene, which is asked before a driver is started and a window opened, because those take far
+/// longer. `None` if it cannot be drawn; then its problems have been printed.
+pub fn ready(
     source: &Source,
     options: Options,
-    media: &MediaArgs,
-) -> anyhow::Result<Option<Setup>> {
-    if !can_run(source, &options)? {
-        return Ok(None);
-    }
-    Ok(Some(Setup {
-        options,
-        library: library(media)?,
-        ..Setup::default()
+    inputs: &InputArgs,
+) -> anyhow::Result<Option<Ready>> {
+    let bindings = inputs.channel.iter().map(|text| {
+        let read = text.parse::<Binding>();
+        read.map_err(|hint| failure(format!("`--channel {text}` binds nothing"), &hint))
+    });
+    let bindings: Vec<Binding> = bindings.collect::<Result<_, _>>()?;
+    let checked = loaded(source)?.and_then(|mut scene| {
+        scene.bind(&bindings)?;
+        translate(&scene, &options)?;
+        Ok(scene)
+    });
+    let scene = match checked {
+        Ok(scene) => scene,
+        Err(report) => {
+            report::show(&report);
+            return Ok(None);
+        }
+    };
+    Ok(Some(Ready {
+        size: scene.size.map(UVec2::from_array),
+        setup: Setup {
+            options,
+            library: library(&inputs.media)?,
+            bindings,
+            ..Setup::default()
+        },
     }))
 }
 

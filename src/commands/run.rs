@@ -8,9 +8,12 @@ use vitrine::translate;
 use vitrine::window::{self, Options, PlayError, Record};
 
 use super::findings::checks;
-use super::opening::{adapter_choice, date, explain, gpu_failure, setup, watchdog};
+use super::opening::{adapter_choice, date, explain, gpu_failure, ready, watchdog};
 use super::{SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
 use crate::cli::RunArgs;
+
+/// The picture of a scene that is made for no size.
+const USUAL_SIZE: UVec2 = UVec2::new(960, 540);
 
 pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
     let source = match &args.scene {
@@ -30,13 +33,13 @@ pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
     {
         return Err(unrecordable(&record.path, &ErrorKind::AlreadyExists.into()));
     }
-    let Some(setup) = setup(&source, translate, &args.media)? else {
+    let Some(ready) = ready(&source, translate, &args.inputs)? else {
         return Ok(SCENE_HAS_PROBLEMS.into());
     };
     let options = Options {
+        size: ready.size(args.size, USUAL_SIZE),
         source,
-        setup,
-        size: UVec2::new(args.size.width, args.size.height),
+        setup: ready.setup,
         scale: args.scale,
         fps_limit: args.fps_limit,
         watch: !args.no_watch,

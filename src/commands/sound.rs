@@ -11,7 +11,7 @@ use vitrine::report;
 use vitrine::session::Track;
 
 use super::export::{DEFAULT_FPS, interruption};
-use super::opening::{adapter_choice, explain, gpu_failure, setup, watchdog};
+use super::opening::{adapter_choice, explain, gpu_failure, ready, watchdog};
 use super::progress::Progress;
 use super::{INTERRUPTED, SCENE_HAS_PROBLEMS, failure, options, source, unwritable};
 use crate::cli::{ExportArgs, SoundFormat};
@@ -50,13 +50,13 @@ pub fn export_sound(args: &ExportArgs, path: &Path) -> anyhow::Result<ExitCode> 
         })?;
     let source = source(&args.scene, args.web.refresh)?;
     let options = options(args.define.clone());
-    let Some(setup) = setup(&source, options, &args.media)? else {
+    let Some(ready) = ready(&source, options, &args.inputs)? else {
         return Ok(SCENE_HAS_PROBLEMS.into());
     };
     let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;
     let watchdog = watchdog(&args.gpu);
     watchdog.begin();
-    let mut track = match Track::open(&gpu, &source, &setup) {
+    let mut track = match Track::open(&gpu, &source, &ready.setup) {
         Ok(Some(track)) => track,
         Ok(None) => {
             return Err(failure(

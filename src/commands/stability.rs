@@ -5,7 +5,7 @@ use vitrine::render::Gpu;
 use vitrine::report;
 use vitrine::translate::{Checks, Options};
 
-use super::opening::{adapter_choice, explain, gpu_failure, setup, watchdog};
+use super::opening::{adapter_choice, explain, gpu_failure, ready, watchdog};
 use super::progress::Progress;
 use super::{SCENE_HAS_PROBLEMS, options, print, source};
 use crate::cli::{Format, StabilityArgs};
@@ -19,7 +19,7 @@ pub fn stability(args: StabilityArgs) -> anyhow::Result<ExitCode> {
         },
         ..options(args.define.clone())
     };
-    let Some(setup) = setup(&source, options, &args.media)? else {
+    let Some(ready) = ready(&source, options, &args.inputs)? else {
         return Ok(SCENE_HAS_PROBLEMS.into());
     };
     let gpu = Gpu::headless(&adapter_choice(&args.gpu)).map_err(|error| gpu_failure(&error))?;
@@ -29,7 +29,7 @@ pub fn stability(args: StabilityArgs) -> anyhow::Result<ExitCode> {
     let watchdog = watchdog(&args.gpu);
     let cases = cases(&args.vary);
     let mut progress = Progress::new(cases.len() as u32, "cases");
-    let examination = examine(&gpu, &source, &setup, &cases, &mut |done, next| {
+    let examination = examine(&gpu, &source, &ready.setup, &cases, &mut |done, next| {
         watchdog.begin();
         progress.say(next);
         progress.at(done as u32);

@@ -56,6 +56,7 @@ pub(super) fn sampler(gpu: &Gpu, channel: Option<&Channel>) -> wgpu::Sampler {
     let address = match wrap {
         Wrap::Clamp => wgpu::AddressMode::ClampToEdge,
         Wrap::Repeat => wgpu::AddressMode::Repeat,
+        Wrap::Mirror => wgpu::AddressMode::MirrorRepeat,
     };
     let between = match filter {
         Filter::Nearest => wgpu::FilterMode::Nearest,

@@ -215,14 +215,17 @@ pub enum Wrap {
     Clamp,
     /// The texture again.
     Repeat,
+    /// The texture again, every other time the wrong way round. The site does not have it.
+    Mirror,
 }
 
 impl Wrap {
-    /// The site's spelling.
+    /// The spelling of the site's JSON and of manifests.
     pub fn name(self) -> &'static str {
         match self {
             Wrap::Clamp => "clamp",
             Wrap::Repeat => "repeat",
+            Wrap::Mirror => "mirror",
         }
     }
 }

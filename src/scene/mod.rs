@@ -3,20 +3,25 @@
 //! [`load()`] turns one form of input (a single file, a folder, ShaderToy's JSON, a text) into a [`Scene`], or says what
 //! is wrong with it. After that nothing about a scene can fail.
 
+mod binding;
 mod channel;
 mod directive;
 mod exchange;
 mod file;
+mod file_kind;
 mod folder;
 mod json;
 mod load;
 mod noise;
 pub mod site;
 
+pub use binding::Binding;
 pub use channel::{Channel, Filter, Input, Media, SamplerKind, Sampling, Wrap};
 pub use exchange::{Imported, Packed, SIDECAR, import, pack};
 pub use load::{LoadError, LoadErrorKind, MAX_BYTES, Source, load};
 pub use noise::{NOISE_SIZE, noise_texture};
+
+use file_kind::FileKind;
 
 use std::path::PathBuf;
 

@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 
 use crate::media::{Content, Inputs, Library, MediaError};
 use crate::render::{Format, Gpu, GpuError, Renderer};
-use crate::scene::{self, Input, LoadError, LoadErrorKind, Pass, PassKind, Scene, Source};
+use crate::scene::{self, Binding, Input, LoadError, LoadErrorKind, Pass, PassKind, Scene, Source};
 use crate::source::{Diagnostic, Report, Span};
 use crate::translate::{self, Arithmetic, Checks, Program};
 
@@ -31,6 +31,8 @@ pub struct Setup {
     pub format: Format,
     /// Where the files come from that its channels read.
     pub library: Arc<Library>,
+    /// What its channels read in the place of what the scene says.
+    pub bindings: Vec<Binding>,
     /// Whether it is opened for its sound. Else it is for its picture.
     pub for_sound: bool,
 }
@@ -145,8 +147,10 @@ impl Session {
             },
             ..options.clone()
         };
+        scene.bind(&setup.bindings).map_err(in_scene)?;
         let mut programs = translate::translate(&scene, &options).map_err(in_scene)?;
-        let diagnostics = warnings(&scene, &programs);
+        let mut diagnostics = warnings(&scene, &programs);
+        diagnostics.extend(idle_bindings(&scene, &programs, &setup.bindings));
         let wanted = match setup.for_sound {
             true => PassKind::Sound,
             false => PassKind::Image,
@@ -202,6 +206,33 @@ impl Session {
 fn warnings(scene: &Scene, programs: &[Program]) -> Vec<Diagnostic> {
     let of_programs = programs.iter().flat_map(|program| &program.warnings);
     scene.warnings.iter().chain(of_programs).cloned().collect()
+}
+
+/// Warns about channels that were bound to something, and are not read.
+fn idle_bindings(scene: &Scene, programs: &[Program], bindings: &[Binding]) -> Vec<Diagnostic> {
+    let is_read = |binding: &&Binding| {
+        let mut passes = scene.passes.iter().zip(programs);
+        let found = passes.find(|(pass, _)| pass.kind == binding.pass);
+        found.is_some_and(|(_, program)| program.channels[binding.channel].texture)
+    };
+    let idle = bindings.iter().filter(|binding| !is_read(binding));
+    idle.map(
+        |Binding {
+             pass,
+             channel,
+             what,
+         }| {
+            let message = format!(
+                "{}: nothing reads iChannel{channel}, which is bound to `{what}`",
+                pass.name()
+            );
+            Diagnostic {
+                pass: Some(pass.name().to_owned()),
+                ..Diagnostic::warning("unused-binding", message)
+            }
+        },
+    )
+    .collect()
 }
 
 /// Loads what the channels of a scene's passes read, as far as their programs use it.

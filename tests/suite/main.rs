@@ -32,6 +32,8 @@ mod bad_output;
 #[cfg(feature = "gpu")]
 mod bands;
 #[cfg(feature = "gpu")]
+mod binding;
+#[cfg(feature = "gpu")]
 mod buffers;
 #[cfg(feature = "gpu")]
 mod channels;

@@ -67,6 +67,8 @@ fn filter_and_wrap_are_the_channels_own() {
         "abs(textureLod(iChannel0, vec2(0.5, 0.5), 0.0).x * 255.0 - 100.0) < 1.1",
         "round(textureLod(iChannel1, vec2(0.51, 0.5), 0.0).x * 255.0) == 200.0",
         "textureLod(iChannel1, vec2(1.1, 0.5), 0.0).x == 0.0",
+        "round(textureLod(iChannel3, vec2(1.1, 0.5), 0.0).x * 255.0) == 200.0",
+        "round(textureLod(iChannel3, vec2(1.9, 0.5), 0.0).x * 255.0) == 0.0",
         "round(textureLod(iChannel2, vec2(1.1, 0.5), 0.0).x * 255.0) == 200.0",
         // The smallest level is the mean; without mipmaps there is none.
         "abs(textureLod(iChannel0, vec2(0.1, 0.5), 9.0).x * 255.0 - 100.0) < 1.1",
@@ -76,7 +78,8 @@ fn filter_and_wrap_are_the_channels_own() {
         &these,
         "iChannel0 = { texture = \"a.png\" }\n\
          iChannel1 = { texture = \"a.png\", filter = \"nearest\" }\n\
-         iChannel2 = { texture = \"a.png\", filter = \"linear\", wrap = \"clamp\" }",
+         iChannel2 = { texture = \"a.png\", filter = \"linear\", wrap = \"clamp\" }\n\
+         iChannel3 = { texture = \"a.png\", filter = \"nearest\", wrap = \"mirror\" }",
     );
     write_picture(&folder, "a.png", 2, 2, |x, _| [200 * x as u8, 0, 0, 255]);
     assert_hold(&these, &folder);
@@ -272,6 +275,37 @@ fn the_samples_of_a_sound_are_what_the_shader_computes() {
         .expect("a sample")
         .expect("an integer");
     assert!((f32::from(first) / 32_768.0 - 0.2).abs() < 1e-4, "{first}");
+}
+
+#[test]
+fn a_sound_reads_pictures_and_no_keys() {
+    let Some(_) = gpu() else { return };
+    let folder = Folder::with(
+        "image.glsl",
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }",
+    );
+    folder.write(
+        "sound.glsl",
+        "vec2 mainSound(int n, float t) {\n\
+             return vec2(texelFetch(iChannel0, ivec2(1, 1), 0).x, texelFetch(iChannel1, ivec2(1, 1), 0).w / 2.0);\n\
+         }",
+    );
+    folder.write(
+        "scene.toml",
+        "[sound]\nsource = \"sound.glsl\"\niChannel0 = { texture = \"a.png\" }\niChannel1 = { keyboard = true }\n\
+         [image]\nsource = \"image.glsl\"\n",
+    );
+    write_picture(&folder, "a.png", 2, 2, |_, _| [51, 0, 0, 255]);
+    folder
+        .run("export . --sound s.wav --sound-format float --seconds 0.001")
+        .exits(0);
+    let mut wav = hound::WavReader::open(folder.path().join("s.wav")).expect("a sound");
+    let samples: Vec<f32> = wav
+        .samples()
+        .map(|sample| sample.expect("a float"))
+        .collect();
+    assert!((samples[0] - 0.2).abs() < 1e-6, "{}", samples[0]);
+    assert_eq!(samples[1], 0.5, "what is unbound is opaque black");
 }
 
 #[test]

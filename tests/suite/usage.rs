@@ -22,7 +22,7 @@ fn help_names_the_defaults_of_an_export() {
     let text = vitrine("export --help").run().exits(0).text();
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let defaults = [
-        "[default: 1280x720]",
+        "[default: the scene's own, or 1280x720]",
         "[default: 60]",
         "[default: frame 0 alone]",
     ];

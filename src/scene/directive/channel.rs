@@ -4,9 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::line::Line;
 use super::named_file;
-use crate::scene::folder::FileKind;
 use crate::scene::load::{Failure, Loading};
-use crate::scene::{Filter, Input, Media, Sampling, Wrap};
+use crate::scene::{FileKind, Filter, Input, Media, Sampling, Wrap};
 use crate::source::{Diagnostic, Span};
 
 /// What is written behind `#iChannel0`.
@@ -26,26 +25,8 @@ pub(super) enum Target {
     Shader(PathBuf),
 }
 
-/// What files are, by how their names end.
-const ENDINGS: [(&[&str], Option<FileKind>); 5] = [
-    (&["glsl", "frag", "fs", "fsh", "shader", "txt"], None),
-    (
-        &[
-            "png", "jpg", "jpeg", "gif", "bmp", "webp", "tga", "tif", "tiff", "hdr", "exr", "ppm",
-            "qoi",
-        ],
-        Some(FileKind::Texture),
-    ),
-    (
-        &["mp3", "ogg", "oga", "wav", "flac", "m4a", "aac", "opus"],
-        Some(FileKind::Music),
-    ),
-    (
-        &["mp4", "webm", "ogv", "mov", "mkv", "avi", "m4v"],
-        Some(FileKind::Video),
-    ),
-    (&["bin"], Some(FileKind::Volume)),
-];
+/// How names of shaders end.
+const SHADERS: [&str; 6] = ["glsl", "frag", "fs", "fsh", "shader", "txt"];
 
 /// What the files of a cubemap are called in the place of `{}`, in the order of the faces.
 const DIRECTIONS: [[&str; 6]; 5] = [
@@ -76,25 +57,16 @@ pub(super) fn target(
     }
     let path = named_file(loading, root, folder, name, binding.place)?;
     let ending = path.extension().unwrap_or_default().to_string_lossy();
-    let ending = ending.to_ascii_lowercase();
-    let known = ENDINGS
-        .iter()
-        .find(|(endings, _)| endings.contains(&&*ending));
-    let kind = match (asked, known) {
-        (_, Some((_, None))) => return Ok(Target::Shader(path)),
-        (Some(kind), _) => kind,
-        (None, Some((_, Some(kind)))) => *kind,
-        (None, None) => {
-            let all = ENDINGS
-                .iter()
-                .flat_map(|(endings, _)| endings.iter().copied());
-            let all: Vec<_> = all.collect();
-            let message = format!("`{name}` is of no kind that a channel can read");
-            return Err(Diagnostic::error("directive", message)
-                .at(binding.place)
-                .hint(format!("files end in one of: {}", all.join(", ")))
-                .into());
-        }
+    if SHADERS.contains(&&*ending.to_ascii_lowercase()) {
+        return Ok(Target::Shader(path));
+    }
+    let Some(kind) = asked.or_else(|| FileKind::of_file(&path)) else {
+        let all: Vec<_> = SHADERS.into_iter().chain(FileKind::endings()).collect();
+        let message = format!("`{name}` is of no kind that a channel can read");
+        return Err(Diagnostic::error("directive", message)
+            .at(binding.place)
+            .hint(format!("files end in one of: {}", all.join(", ")))
+            .into());
     };
     loading.depends_on(&path);
     Ok(Target::Input(kind.input(Media::Files(vec![path]))))
@@ -160,16 +132,9 @@ pub(super) fn idle(index: usize, settings: &Settings) -> Option<Diagnostic> {
 pub(super) enum Setting {
     Min(Filter, Span),
     Mag(Filter, Span),
-    Wrap(WrapMode, Span),
+    Wrap(Wrap, Span),
     VFlip(bool, Span),
     Type(FileKind, Span),
-}
-
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum WrapMode {
-    Clamp,
-    Repeat,
-    Mirror,
 }
 
 /// Finds a value among those that a setting has.
@@ -219,9 +184,9 @@ impl Setting {
             }
             "WrapMode" => {
                 let values = [
-                    ("Clamp", WrapMode::Clamp),
-                    ("Repeat", WrapMode::Repeat),
-                    ("Mirror", WrapMode::Mirror),
+                    ("Clamp", Wrap::Clamp),
+                    ("Repeat", Wrap::Repeat),
+                    ("Mirror", Wrap::Mirror),
                 ];
                 let (wrap, place) = choose(line, key.text, &values)?;
                 Setting::Wrap(wrap, place)
@@ -257,7 +222,7 @@ impl Setting {
 pub(super) struct Settings {
     min: Option<(Filter, Span)>,
     mag: Option<(Filter, Span)>,
-    wrap: Option<(WrapMode, Span)>,
+    wrap: Option<(Wrap, Span)>,
     vflip: Option<bool>,
     pub ty: Option<(FileKind, Span)>,
     /// Where the first of them stands.
@@ -299,16 +264,7 @@ impl Settings {
                 mag
             }
         };
-        let wrap = match self.wrap {
-            None => usual.wrap,
-            Some((WrapMode::Clamp, _)) => Wrap::Clamp,
-            Some((WrapMode::Repeat, _)) => Wrap::Repeat,
-            Some((WrapMode::Mirror, place)) => {
-                let message = "textures are not mirrored here: this one is repeated";
-                warnings.push(differs(place, message));
-                Wrap::Repeat
-            }
-        };
+        let wrap = self.wrap.map_or(usual.wrap, |(wrap, _)| wrap);
         Sampling {
             filter,
             wrap,

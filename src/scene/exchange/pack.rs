@@ -9,7 +9,7 @@ use super::{FILE_KEY, SIDECAR, canonical, site_input};
 use crate::scene::folder::{self, Plan, Planned, within};
 use crate::scene::json::{self, Parsed, Tab};
 use crate::scene::load::{self, Failure, LoadError, Loading};
-use crate::scene::{BufferLetter, CHANNELS, Channel, Input, Media, PassKind, Source};
+use crate::scene::{BufferLetter, CHANNELS, Channel, Input, Media, PassKind, Source, Wrap};
 use crate::source::{Diagnostic, FileId, Report};
 
 /// A shader as the site exports it.
@@ -79,13 +79,14 @@ fn refuse_what_the_site_lacks(plan: &Plan) -> Result<(), Diagnostic> {
     let mut missing = Vec::new();
     for planned in &plan.passes {
         for (index, channel) in planned.channels.iter().enumerate() {
-            let what = match channel.as_ref().map(|channel| &channel.input) {
-                Some(Input::Noise) => "generated noise".to_owned(),
-                Some(input) => match input.media() {
-                    Some(media @ Media::Files(_)) => format!("`{media}`"),
-                    _ => continue,
-                },
-                None => continue,
+            let Some(Channel { input, sampling }) = channel else {
+                continue;
+            };
+            let what = match (input, input.media()) {
+                (Input::Noise, _) => "generated noise".to_owned(),
+                (_, Some(media @ Media::Files(_))) => format!("`{media}`"),
+                _ if sampling.wrap == Wrap::Mirror => "a mirrored wrap".to_owned(),
+                _ => continue,
             };
             missing.push(format!("{what} ({}, iChannel{index})", planned.kind.name()));
         }

@@ -5,7 +5,7 @@ use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
 use toml::Spanned;
 
-use super::super::{BufferLetter, CHANNELS, Filter, Input, PassKind, Wrap};
+use super::super::{BufferLetter, CHANNELS, FileKind, Filter, Input, PassKind, Wrap};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -103,17 +103,6 @@ pub(super) enum Bound {
     Input(Input),
     /// A file, or one of the site's media.
     File(FileKind, Spanned<MediaName>),
-}
-
-/// The kinds of input that lie in files.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(in crate::scene) enum FileKind {
-    Texture,
-    Cubemap,
-    Volume,
-    Video,
-    Music,
-    MusicStream,
 }
 
 /// How a manifest names a file.

@@ -7,7 +7,6 @@ mod manifest;
 mod reference;
 
 pub(super) use embedded::{EMBEDDED, embedded};
-pub(super) use manifest::FileKind;
 pub(super) use reference::{Refusal, within};
 
 use std::path::{Path, PathBuf};

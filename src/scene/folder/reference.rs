@@ -6,9 +6,9 @@ use std::path::{Component, Path, PathBuf};
 use toml::Spanned;
 
 use super::super::load::{Failure, Loading};
-use super::super::site::{self, Item};
-use super::super::{Input, Media};
-use super::manifest::{FileKind, MediaName};
+use super::super::site::Item;
+use super::super::{FileKind, Input, Media};
+use super::manifest::MediaName;
 use crate::source::{Diagnostic, FileId, Span};
 
 /// A cubemap has as many.
@@ -123,7 +123,11 @@ impl References<'_> {
                 // Its appearance mends the scene.
                 loading.depends_on(&path);
                 let message = format!("there is no file `{}`", path.display());
-                Err(self.error(place, message).hint(kind.offered()).into())
+                let hint = format!(
+                    "name a file, relative to the folder of scene.toml, or one of the site's: {}",
+                    kind.offered()
+                );
+                Err(self.error(place, message).hint(hint).into())
             }
             (None, None) => self
                 .file(loading, name, place)
@@ -165,42 +169,6 @@ impl References<'_> {
             faces.push(path);
         }
         Ok(Media::Files(faces))
-    }
-}
-
-impl FileKind {
-    pub fn name(self) -> &'static str {
-        match self {
-            FileKind::Texture => "texture",
-            FileKind::Cubemap => "cubemap",
-            FileKind::Volume => "volume",
-            FileKind::Video => "video",
-            FileKind::Music => "music",
-            FileKind::MusicStream => "musicstream",
-        }
-    }
-
-    pub fn input(self, media: Media) -> Input {
-        match self {
-            FileKind::Texture => Input::Texture(media),
-            FileKind::Cubemap => Input::Cubemap(media),
-            FileKind::Volume => Input::Volume(media),
-            FileKind::Video => Input::Video(media),
-            FileKind::Music => Input::Music(media),
-            FileKind::MusicStream => Input::MusicStream(media),
-        }
-    }
-
-    /// What the site has of this kind, as a hint.
-    fn offered(self) -> String {
-        let items = site::ITEMS
-            .iter()
-            .filter(|item| item.kind.name() == self.name());
-        let names: Vec<_> = items.map(|item| item.name).collect();
-        format!(
-            "name a file, relative to the folder of scene.toml, or one of the site's: {}",
-            names.join(", ")
-        )
     }
 }
 

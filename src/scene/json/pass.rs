@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-use super::super::{BufferLetter, CHANNELS, Channel, PassKind, missing_pass};
+use super::super::{BufferLetter, CHANNELS, Channel, Input, PassKind, Wrap, missing_pass};
 use super::{Loose, Reader, input, problem};
 use crate::source::Diagnostic;
 
@@ -83,7 +83,7 @@ pub(super) fn tabs<'a>(
             warnings.extend(bound.warnings);
             // Of two inputs on one channel, the site binds the later.
             if let Some((index, channel)) = bound.channel {
-                reads.push((kind, index, channel.input.clone(), part.get()));
+                reads.push((kind, index, channel.clone(), part.get()));
                 channels[index] = Some(channel);
             }
         }
@@ -101,12 +101,51 @@ pub(super) fn tabs<'a>(
         }
     }
     let is_there = |kind| drawn.contains(&kind);
-    for (tab, index, input, part) in reads {
-        let Tab::Pass(kind) = tab else { continue };
-        let missing = missing_pass(kind, index, &input, is_there);
+    for (tab, index, channel, part) in &reads {
+        let Tab::Pass(kind) = *tab else { continue };
+        let missing = missing_pass(kind, *index, &channel.input, is_there);
         warnings.extend(missing.map(|found| found.at(reader.start(part))));
     }
+    for (tab, index, channel, part) in &reads {
+        let wrap = wrap_on_site(
+            &channel.input,
+            reads.iter().map(|(_, _, channel, _)| channel),
+        );
+        let Some(wrap) = wrap.filter(|wrap| *wrap != channel.sampling.wrap) else {
+            continue;
+        };
+        let message = format!(
+            "{}: iChannel{index} reads {} with the wrap `{}`, but on the site a buffer has one wrap, and the last \
+             input that reads it says `{}`: it is read so",
+            tab.name(),
+            channel.input.name(),
+            channel.sampling.wrap.name(),
+            wrap.name()
+        );
+        warnings.push(Diagnostic {
+            pass: Some(tab.name().to_owned()),
+            ..Diagnostic::warning("shared-wrap", message).at(reader.start(part))
+        });
+    }
+    let channels = tabs.iter_mut().flat_map(|tab| &mut tab.channels);
+    for channel in channels.flatten() {
+        let wrap = wrap_on_site(
+            &channel.input,
+            reads.iter().map(|(_, _, channel, _)| channel),
+        );
+        channel.sampling.wrap = wrap.unwrap_or(channel.sampling.wrap);
+    }
     Ok(tabs)
+}
+
+/// The wrap of a buffer, which the site keeps with the buffer: each input that is loaded sets it, so that the last one
+/// decides for all. `None` for what is no buffer.
+fn wrap_on_site<'a>(input: &Input, loaded: impl Iterator<Item = &'a Channel>) -> Option<Wrap> {
+    if !matches!(input, Input::Buffer(_)) {
+        return None;
+    }
+    let readers = loaded.filter(|channel| channel.input == *input);
+    readers.last().map(|channel| channel.sampling.wrap)
 }
 
 /// Which buffer each pass of type `buffer` is: what its output says, else its name, else the first

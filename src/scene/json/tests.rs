@@ -135,6 +135,40 @@ fn the_public_interface_has_other_keys() {
     assert_eq!(second, Some(Input::Texture(media)));
 }
 
+#[test]
+fn the_last_input_decides_how_a_buffer_wraps() {
+    let reads = |channel: u32, id: &str, wrap: &str| {
+        format!(
+            r#"{{"type":"buffer","id":"{id}","channel":{channel},"sampler":{{"wrap":"{wrap}"}}}}"#
+        )
+    };
+    let (a, b) = ("4dXGR8", "XsXGR8");
+    let scene = scene(&format!(
+        r#"{{"renderpass":[{{"type":"buffer","name":"Buffer A","code":"a","inputs":[{},{}]}},
+            {{"type":"buffer","name":"Buffer B","code":"b","inputs":[{}]}},
+            {{"type":"image","code":"i","inputs":[{}]}}]}}"#,
+        reads(0, a, "clamp"),
+        reads(1, b, "repeat"),
+        reads(0, b, "repeat"),
+        reads(0, a, "repeat"),
+    ));
+    let channels = scene.passes.iter().flat_map(|pass| &pass.channels);
+    let wraps: Vec<Wrap> = channels.flatten().map(|c| c.sampling.wrap).collect();
+    assert_eq!(wraps, [Wrap::Repeat; 4]);
+    let [warning] = &scene.warnings[..] else {
+        panic!(
+            "one channel is read otherwise than it says: {:?}",
+            scene.warnings
+        );
+    };
+    assert_eq!(warning.code, "shared-wrap");
+    assert_eq!(
+        warning.message,
+        "Buffer A: iChannel0 reads Buffer A with the wrap `clamp`, but on the site a buffer has one wrap, and the \
+         last input that reads it says `repeat`: it is read so"
+    );
+}
+
 /// A shader of an Image pass with these inputs, on one line.
 fn with_inputs(inputs: &str) -> String {
     format!(r#"{{"renderpass":[{{"type":"image","code":"i","inputs":[{inputs}]}}]}}"#)
