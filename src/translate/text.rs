@@ -12,8 +12,9 @@ use crate::glsl::names::{Name, Names};
 use crate::glsl::places::Places;
 use crate::glsl::preprocess::{self, preprocess};
 use crate::glsl::prune::Reachable;
+use crate::glsl::types::Shape;
 use crate::glsl::{Precision, double, finite, hir, syntax};
-use crate::scene::{CHANNELS, Pass};
+use crate::scene::{CHANNELS, Pass, SamplerKind};
 use crate::source::{Diagnostic, FileId, Severity, SourceMap, Span};
 
 pub(super) fn translate_text(
@@ -150,6 +151,13 @@ impl Text<'_> {
                 round_budget: options.round_budget,
                 round_limit: options.round_limit,
                 interface: &bindings::INTERFACE,
+                unit_0: self.pass.channels[0].as_ref().map(|channel| {
+                    match channel.input.sampler() {
+                        SamplerKind::TwoD => Shape::Plane,
+                        SamplerKind::ThreeD => Shape::Volume,
+                        SamplerKind::Cube => Shape::Cube,
+                    }
+                }),
                 checks: options.checks.clone(),
                 double_functions: &double_functions,
             },

@@ -115,6 +115,24 @@ fn a_channel_knows_its_size() {
 }
 
 #[test]
+fn a_sampler_of_the_authors_own_reads_the_first_channel() {
+    let Some(gpu) = gpu() else { return };
+    let these = [
+        "read(own, p) == texelFetch(iChannel0, ivec2(p), 0)",
+        "own_size() == ivec2(256)",
+        // Of another type than what the first channel reads, it is unbound.
+        "texture(cube, vec3(1)) == vec4(0, 0, 0, 1)",
+    ];
+    let own = "uniform sampler2D own;\nuniform samplerCube cube;\n\
+               vec4 read(sampler2D t, vec2 p) { return texelFetch(t, ivec2(p), 0); }\n\
+               ivec2 own_size() { return textureSize(own, 0); }\n";
+    let folder = noise_scene(&format!("{own}{}", claims(&these)), "");
+    let session = open(gpu, &Source::Path(folder.path().to_owned()));
+    let input = Clock::fixed(60.0).at(0, UVec2::new(these.len() as u32, 1));
+    assert_claims(&these, &draw(gpu, &session, &input));
+}
+
+#[test]
 fn an_unbound_channel_reads_opaque_black_and_warns() {
     let Some(gpu) = gpu() else { return };
     let these = [

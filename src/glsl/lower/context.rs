@@ -28,6 +28,8 @@ pub(super) struct Context<'a> {
     /// The alignments of structures.
     pub alignments: FxHashMap<Handle<naga::Type>, naga::proc::Alignment>,
     pub globals: FxHashMap<Id<Global>, Binding>,
+    /// The host's textures that are declared, by the binding of each.
+    images: Vec<(u32, Binding)>,
     /// What has been lowered: functions in their forms.
     pub functions: FxHashMap<(Id<Function>, Nulls), Handle<naga::Function>>,
     /// Whether a function other than `main` asks for `gl_FragCoord`.
@@ -83,6 +85,7 @@ impl<'a> Context<'a> {
             types: FxHashMap::default(),
             alignments: FxHashMap::default(),
             globals: FxHashMap::default(),
+            images: Vec::new(),
             functions: FxHashMap::default(),
             shares_position: false,
             sampled: FxHashSet::default(),
@@ -194,17 +197,28 @@ impl<'a> Context<'a> {
         let global = &self.hir.globals[id];
         let name = self.hir.names.text(global.name);
         let interface = self.options.interface;
-        let known = interface.samplers.iter().find(|known| known.name == name);
-        match (global.ty.sampler(), known) {
-            (Some(sampler), Some(known)) if sampler.texel == Scalar::Float && !sampler.shadow => {
-                let ty = self.image_type(sampler.shape);
-                let image = self.add_handle(name.to_owned(), ty, known.texture);
-                let ty = self.sampler_type();
-                let sampler = self.add_handle(format!("{name}_sampler"), ty, known.sampler);
-                Binding::Image(image, sampler)
-            }
-            _ => Binding::Zero,
+        let named = interface.samplers.iter().find(|known| known.name == name);
+        let Some(sampler) = global.ty.sampler() else {
+            return Binding::Zero;
+        };
+        let first = interface.samplers.first();
+        let known = named.or(first.filter(|_| self.options.unit_0 == Some(sampler.shape)));
+        let known = known.filter(|_| sampler.texel == Scalar::Float && !sampler.shadow);
+        let Some(known) = known else {
+            return Binding::Zero;
+        };
+        // A binding is declared once, however many uniforms read it.
+        if let Some(&(_, binding)) = self.images.iter().find(|(at, _)| *at == known.texture) {
+            return binding;
         }
+        let name = &known.name;
+        let ty = self.image_type(sampler.shape);
+        let image = self.add_handle(name.clone(), ty, known.texture);
+        let ty = self.sampler_type();
+        let handle = self.add_handle(format!("{name}_sampler"), ty, known.sampler);
+        let binding = Binding::Image(image, handle);
+        self.images.push((known.texture, binding));
+        binding
     }
 
     fn add_handle(

@@ -36,6 +36,7 @@ pub mod verify;
 use super::double::Functions;
 use super::hir::{Extent, Hir};
 use super::prune::Reachable;
+use super::types::Shape;
 use super::{Arithmetic, Precision};
 
 pub use interface::{HostSampler, Interface, Tables, UniformBlock, UniformMember};
@@ -61,6 +62,9 @@ pub struct Options<'a> {
     pub checks: Checks,
     /// What the host binds.
     pub interface: &'a Interface,
+    /// The shape of the first of the host's samplers, if there is a texture behind it. Samplers of this shape that the
+    /// host does not know read it too: in GL, who sets no texture unit gets unit 0.
+    pub unit_0: Option<Shape>,
     /// In double precision, the functions to compute built-in functions with that graphics drivers
     /// have for 32 bits only. Where there is none, 32 bits must do.
     pub double_functions: &'a Functions,

@@ -76,6 +76,7 @@ fn lowered_with(hir: &Hir, precision: Precision, arithmetic: Arithmetic) -> (Low
         round_budget: None,
         round_limit: None,
         interface: &interface,
+        unit_0: None,
         checks: Checks::None,
         double_functions: &double_functions,
     };
