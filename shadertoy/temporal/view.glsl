@@ -35,3 +35,9 @@ vec3 shade(vec3 ro, vec3 rd, float t) {
     vec3 lin = calcLighting(pos, nor, rd, sha);
     return applyFog(mate * lin, t, rd);
 }
+
+// Light as a display shows it.
+vec3 display(vec3 col) {
+    col = 1.0 - exp(-col * 2.0);
+    return pow(col, vec3(1.0 / 2.2));
+}

@@ -38,6 +38,7 @@ struct Key {
     size: [u32; 2],
     time: f64,
     probe: String,
+    flicker: bool,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -76,6 +77,7 @@ pub fn measure(args: MeasureArgs) -> anyhow::Result<ExitCode> {
             .as_ref()
             .map(ToString::to_string)
             .unwrap_or_default(),
+        flicker: study.flicker,
     };
     let kept = out.join(CELLS);
     let mut known = if args.fresh {
@@ -195,6 +197,7 @@ fn one_off(args: &MeasureArgs) -> anyhow::Result<Study> {
             times => times.to_vec(),
         },
         probe,
+        flicker: false,
         repeats: 5,
         goals: Vec::new(),
         define: BTreeMap::new(),

@@ -122,6 +122,22 @@ pub fn picture(value: &FloatImage, reference: &FloatImage) -> PictureError {
     }
 }
 
+/// How much the error of a picture changes from one frame to the next, which is seen as flicker: the root of the mean
+/// squared change over all pixels and channels, where 1 is white. An error that stays, as that of a blurred picture does,
+/// has none, and neither has what moves as the reference does. Each pair is the earlier frame and the later one.
+pub fn flicker(value: [&FloatImage; 2], reference: [&FloatImage; 2]) -> f64 {
+    let mut squares = 0.0;
+    let pixels = reference[1].rgba.len();
+    for at in 0..pixels {
+        for channel in 0..3 {
+            let [before, now] = [0, 1]
+                .map(|i| shown(value[i].rgba[at][channel]) - shown(reference[i].rgba[at][channel]));
+            squares += (now - before) * (now - before);
+        }
+    }
+    (squares / (3 * pixels.max(1)) as f64).sqrt()
+}
+
 /// How far each channel of a picture is off, black where it is right.
 pub fn difference(value: &FloatImage, reference: &FloatImage) -> FloatImage {
     let pairs = value.rgba.iter().zip(&reference.rgba);
@@ -159,6 +175,17 @@ mod tests {
         // The length of (0.5, 0.5, 0.5) over that of (1, 1, 1).
         let vectors = probe(&image(&[1.5]), &image(&[1.0]), 3);
         assert!((vectors.max - 0.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn only_what_changes_otherwise_than_the_reference_flickers() {
+        let (dark, light) = (image(&[0.25, 0.25]), image(&[0.5, 0.5]));
+        let (still, moved) = (image(&[0.75, 0.75]), image(&[1.0, 1.0]));
+        assert_eq!(flicker([&dark, &light], [&still, &moved]), 0.0);
+        assert_eq!(flicker([&dark, &light], [&still, &still]), 0.25);
+        let half = image(&[0.25, 0.5]);
+        let expected = (0.0625_f64 / 2.0).sqrt();
+        assert!((flicker([&dark, &half], [&still, &still]) - expected).abs() < 1e-12);
     }
 
     #[test]

@@ -49,13 +49,13 @@ pub fn json(study: &Study, findings: &Findings, rows: &[Row], machine: &Machine)
 /// A line for each variant.
 pub fn csv(rows: &[Row]) -> String {
     let mut text = "family,variant,ms,spread,ns_per_pixel,rounds,most_rounds,error,discretisation,\
-                    rounding,p99,disagreements,rmse,psnr,above_1,above_8,best\n"
+                    rounding,p99,disagreements,rmse,psnr,above_1,above_8,flicker,best\n"
         .to_owned();
     for row in rows {
         let known = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:e}"));
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{:e},{},{},{},{},{},{},{:e},{},{:e},{:e},{}",
+            "{},{},{},{},{},{:e},{},{},{},{},{},{},{:e},{},{:e},{:e},{},{}",
             quoted(&row.family),
             quoted(&row.label),
             known(row.milliseconds),
@@ -72,6 +72,7 @@ pub fn csv(rows: &[Row]) -> String {
             known(row.psnr),
             row.above_1,
             row.above_8,
+            known(row.flicker),
             row.is_best
         );
     }
@@ -147,13 +148,19 @@ pub fn markdown(
     for (file, what) in plots {
         let _ = writeln!(text, "![{what}]({file})\n");
     }
-    table(&mut text, rows, probe.is_some());
+    table(&mut text, rows, probe.is_some(), study.flicker);
     let _ = write!(
         text,
         "\nVariants in bold are beaten by none in both time and error. *Method* is the error in 64 bits \
-         against the reference, *rounding* that of 32 bits against 64.\n\n\
+         against the reference, *rounding* that of 32 bits against 64.{}\n\n\
          Measured with Vitrine {} on {}, {} cores.\n",
-        machine.version, machine.adapter, machine.cores
+        match study.flicker {
+            true => " *Flicker* is the RMSE of the error's change since the frame before.",
+            false => "",
+        },
+        machine.version,
+        machine.adapter,
+        machine.cores
     );
     if !study.findings.trim().is_empty() {
         let _ = write!(text, "\n## What was found\n\n{}\n", study.findings.trim());
@@ -184,20 +191,22 @@ fn moments(study: &Study) -> String {
     all.join(", ")
 }
 
-fn table(text: &mut String, rows: &[Row], has_probe: bool) {
+fn table(text: &mut String, rows: &[Row], has_probe: bool, has_flicker: bool) {
     let probe_head = if has_probe {
         " p99 | hit or miss |"
     } else {
         ""
     };
     let probe_line = if has_probe { "--:|--:|" } else { "" };
+    let flicker_head = if has_flicker { " flicker |" } else { "" };
+    let flicker_line = if has_flicker { "--:|" } else { "" };
     let _ = writeln!(
         text,
-        "| variant | ms | ± | ns/pixel | rounds | error | method | rounding |{probe_head} RMSE | PSNR | > 1/255 | > 8/255 |"
+        "| variant | ms | ± | ns/pixel | rounds | error | method | rounding |{probe_head} RMSE | PSNR | > 1/255 | > 8/255 |{flicker_head}"
     );
     let _ = writeln!(
         text,
-        "|---|--:|--:|--:|--:|--:|--:|--:|{probe_line}--:|--:|--:|--:|"
+        "|---|--:|--:|--:|--:|--:|--:|--:|{probe_line}--:|--:|--:|--:|{flicker_line}"
     );
     for row in rows {
         let known = |value: Option<f64>| value.map_or("–".to_owned(), number);
@@ -228,7 +237,7 @@ fn table(text: &mut String, rows: &[Row], has_probe: bool) {
                 row.disagreements.map_or("–".to_owned(), percent)
             );
         }
-        let _ = writeln!(
+        let _ = write!(
             text,
             " {} | {} | {} | {} |",
             number(row.rmse),
@@ -236,6 +245,10 @@ fn table(text: &mut String, rows: &[Row], has_probe: bool) {
             percent(row.above_1),
             percent(row.above_8)
         );
+        if has_flicker {
+            let _ = write!(text, " {} |", known(row.flicker));
+        }
+        text.push('\n');
     }
 }
 

@@ -41,6 +41,9 @@ pub struct Cell {
     // What was kept before there was this is not to be read as if there were none.
     #[serde(deserialize_with = "Option::deserialize")]
     pub reference_error: Option<Errors>,
+    /// How much the error changed since the frame before, if the study asks: see [`compare::flicker`].
+    #[serde(deserialize_with = "Option::deserialize")]
+    pub flicker: Option<f64>,
     /// Seconds that the device drew, ascending, one for each repetition.
     pub seconds: Vec<f64>,
 }
@@ -130,9 +133,14 @@ pub struct Surroundings<'a> {
     pub keep: &'a mut dyn FnMut(&Cell),
 }
 
+/// Frames a second, of all pictures that are compared.
+const FPS: f64 = 60.0;
+
 /// A picture and a probe's values at each moment.
 struct Views {
     pictures: Vec<FloatImage>,
+    /// The pictures of the frames before, if they are asked for.
+    before: Vec<FloatImage>,
     probes: Vec<FloatImage>,
     /// How many numbers a probe's value has.
     components: usize,
@@ -218,6 +226,16 @@ impl Views {
             })
             .collect()
     }
+
+    /// How much they flicker against others at each moment; empty if that is not asked for.
+    fn flicker(&self, truth: &Views) -> Vec<f64> {
+        let pairs = self.before.iter().zip(&self.pictures);
+        let truths = truth.before.iter().zip(&truth.pictures);
+        pairs
+            .zip(truths)
+            .map(|((before, now), (old, new))| compare::flicker([before, now], [old, new]))
+            .collect()
+    }
 }
 
 /// The most rounds in one pixel.
@@ -281,7 +299,7 @@ impl Run<'_, '_> {
 
     fn draw(&mut self, subject: &mut Subject, time: f64) -> Result<Drawn, OpenError> {
         self.tell();
-        let input = Clock::fixed(60.0).at_time(time, self.study.size);
+        let input = Clock::fixed(FPS).at_time(time, self.study.size);
         Ok(subject.draw(self.around.gpu, &input, &mut |_| {})?)
     }
 
@@ -300,13 +318,21 @@ impl Run<'_, '_> {
     }
 
     fn views(&mut self, variant: &Variant, precision: Precision) -> Result<Views, OpenError> {
-        let (pictures, _) = self.images(variant, precision, Output::Colour)?;
+        let mut subject = self.open(variant, precision, Output::Colour)?;
+        let (mut pictures, mut before) = (Vec::new(), Vec::new());
+        for &time in &variant.times {
+            if self.study.flicker {
+                before.push(self.draw(&mut subject, time - 1.0 / FPS)?.image);
+            }
+            pictures.push(self.draw(&mut subject, time)?.image);
+        }
         let (probes, components) = match &self.study.probe {
             None => (Vec::new(), 0),
             Some(probe) => self.images(variant, precision, Output::Probe(probe.clone()))?,
         };
         Ok(Views {
             pictures,
+            before,
             probes,
             components,
         })
@@ -339,6 +365,7 @@ impl Run<'_, '_> {
         let study = self.study;
         let single = self.views(variant, Precision::Single)?;
         let total = single.errors(&truth.views, study);
+        let flicker = single.flicker(&truth.views);
         let (mut discretisation, mut rounding) = (Vec::new(), Vec::new());
         if study.reference.precision == ReferencePrecision::Double {
             let double = self.views(variant, Precision::Double)?;
@@ -360,6 +387,7 @@ impl Run<'_, '_> {
                 discretisation: discretisation.get(at).copied(),
                 rounding: rounding.get(at).copied(),
                 reference_error: truth.refined.get(at).copied(),
+                flicker: flicker.get(at).copied(),
                 seconds: Vec::new(),
             }
         };

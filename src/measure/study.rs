@@ -25,6 +25,9 @@ pub struct Study {
     /// The value to compare besides the picture.
     #[serde(default, deserialize_with = "probe")]
     pub probe: Option<Probe>,
+    /// Whether to compare each picture with the one a frame before, too.
+    #[serde(default)]
+    pub flicker: bool,
     /// How often each variant is timed.
     #[serde(default = "default_repeats")]
     pub repeats: u32,
@@ -44,6 +47,9 @@ pub struct Study {
     #[serde(rename = "family")]
     pub families: Vec<Family>,
 }
+
+/// How long a frame is shown, in seconds.
+const FRAME: f64 = 1.0 / 60.0;
 
 /// Macros with their values.
 pub type Defines = BTreeMap<String, Value>;
@@ -187,6 +193,8 @@ impl Study {
             "a study has at least one [[family]]"
         } else if study.all_times().any(<[f64]>::is_empty) {
             "`times` names no moment"
+        } else if study.flicker && study.all_times().flatten().any(|&time| time < FRAME) {
+            "`flicker` compares with the frame before, so that `times` are at least a sixtieth of a second"
         } else if study.repeats == 0 {
             "`repeats` is at least 1"
         } else {
@@ -382,6 +390,11 @@ times = [3600, 86400]
             ("title", "titel", "unknown field `titel`"),
             ("size = \"64x36\"", "repeats = 0", "at least 1"),
             ("= 0.02", "= []", "a number or a string"),
+            (
+                "times = [1, 2.5]",
+                "flicker = true\ntimes = [0]",
+                "the frame before",
+            ),
         ] {
             let message = Study::parse(&TEXT.replacen(from, to, 1)).expect_err(from);
             assert!(message.contains(words), "{from}: {message}");

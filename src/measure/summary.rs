@@ -44,6 +44,8 @@ pub struct Row {
     pub above_1: f64,
     /// The share of pixels that are off by more than 8/255, the largest of any moment.
     pub above_8: f64,
+    /// How much the error changes from frame to frame, the most at any moment, if the study asks.
+    pub flicker: Option<f64>,
     /// Whether no other variant that is held against the same reference at the same moments is both faster
     /// and nearer.
     pub is_best: bool,
@@ -119,6 +121,7 @@ fn row(cells: &[Cell], pixels: u32) -> Row {
             .filter(|least| least.is_finite()),
         above_1: largest(&|cell| Some(cell.total.picture.above_1)).unwrap_or(0.0),
         above_8: largest(&|cell| Some(cell.total.picture.above_8)).unwrap_or(0.0),
+        flicker: largest(&|cell| cell.flicker),
         is_best: false,
     }
 }

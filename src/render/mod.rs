@@ -99,7 +99,11 @@ impl Renderer {
         }
         for (surface, filter) in passes.iter().flat_map(pass::GpuPass::reads) {
             if filter == Filter::Mipmap {
-                textures.mipmaps.prepare(gpu, surface.format(gpu))?;
+                textures.mipmaps.prepare(
+                    gpu,
+                    surface.format(gpu),
+                    wgpu::TextureViewDimension::D2,
+                )?;
             }
         }
         Ok(Renderer {

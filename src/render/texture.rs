@@ -110,7 +110,7 @@ impl Textures {
                 let flipped: Vec<u8> = texels.chunks(row).rev().flatten().copied().collect();
                 for (is_flipped, texture) in &live.textures {
                     let bytes = if *is_flipped { &flipped } else { texels };
-                    write(gpu, texture, 0, [width, height, 1], bytes);
+                    write(gpu, texture, [width, height, 1], bytes);
                 }
             }
         }
@@ -167,9 +167,9 @@ fn upload(
         let size = glam::uvec2(width, height);
         return Err(GpuError::Size { size, limit });
     }
-    let mut base = Level::new(texels);
+    let mut stored = Stored::new(texels);
     if usage.is_flipped {
-        base.flip(usage.kind);
+        stored.flip(usage.kind);
     }
     let count = if usage.is_shrunk {
         largest.ilog2() + 1
@@ -178,22 +178,24 @@ fn upload(
     };
     let texture = new_texture(gpu, usage.kind, texels.size, texels.format, count)?;
     let format = texture.format();
-    if count > 1 && usage.kind != SamplerKind::ThreeD {
-        mipmaps.prepare(gpu, format)?;
+    if count > 1 {
+        let dimension = match usage.kind {
+            SamplerKind::ThreeD => wgpu::TextureViewDimension::D3,
+            SamplerKind::TwoD | SamplerKind::Cube => wgpu::TextureViewDimension::D2,
+        };
+        mipmaps.prepare(gpu, format, dimension)?;
     }
     gpu.guarded("filling a channel's texture", || {
-        write(gpu, &texture, 0, base.size, &base.bytes(format));
-        if usage.kind == SamplerKind::ThreeD {
-            let mut level = base;
-            for number in 1..count {
-                level = level.shrunk();
-                write(gpu, &texture, number, level.size, &level.bytes(format));
-            }
-        } else {
+        write(gpu, &texture, texels.size, &stored.bytes(format));
+        if count > 1 {
             let descriptor = wgpu::CommandEncoderDescriptor { label: None };
             let mut encoder = gpu.device().create_command_encoder(&descriptor);
-            for levels in levels_of_layers(&texture) {
-                mipmaps.shrink(gpu, &mut encoder, format, &levels);
+            if usage.kind == SamplerKind::ThreeD {
+                mipmaps.shrink_volume(gpu, &mut encoder, &texture);
+            } else {
+                for levels in levels_of_layers(&texture) {
+                    mipmaps.shrink(gpu, &mut encoder, format, &levels);
+                }
             }
             gpu.queue().submit([encoder.finish()]);
         }
@@ -236,7 +238,7 @@ fn new_texture(
                 (Format::Rgba32Float, true) => Rgba32Float,
                 (Format::Rgba32Float, false) => Rgba16Float,
             },
-            usage: match levels > 1 && kind != SamplerKind::ThreeD {
+            usage: match levels > 1 {
                 true => usage | wgpu::TextureUsages::RENDER_ATTACHMENT,
                 false => usage,
             },
@@ -245,14 +247,11 @@ fn new_texture(
     })
 }
 
-fn write(gpu: &Gpu, texture: &wgpu::Texture, level: u32, size: [u32; 3], bytes: &[u8]) {
+fn write(gpu: &Gpu, texture: &wgpu::Texture, size: [u32; 3], bytes: &[u8]) {
     let [width, height, depth] = size;
     let texel = texture.format().block_copy_size(None);
     gpu.queue().write_texture(
-        wgpu::TexelCopyTextureInfo {
-            mip_level: level,
-            ..texture.as_image_copy()
-        },
+        texture.as_image_copy(),
         bytes,
         wgpu::TexelCopyBufferLayout {
             offset: 0,
@@ -267,15 +266,14 @@ fn write(gpu: &Gpu, texture: &wgpu::Texture, level: u32, size: [u32; 3], bytes: 
     );
 }
 
-/// A level of a texture, its numbers as they are stored: bytes from 0 to 255, floats as they are.
-struct Level {
+/// The numbers of a texture as they are stored: bytes from 0 to 255, floats as they are.
+struct Stored {
     size: [u32; 3],
     components: usize,
-    is_float: bool,
     numbers: Vec<f32>,
 }
 
-impl Level {
+impl Stored {
     fn new(texels: &Texels) -> Self {
         let numbers = match texels.format {
             Format::R8 | Format::Rgba8 => texels.bytes.iter().copied().map(f32::from).collect(),
@@ -284,13 +282,12 @@ impl Level {
                 floats.map(|bytes| f32::from_le_bytes(*bytes)).collect()
             }
         };
-        Level {
+        Stored {
             size: texels.size,
             components: match texels.format {
                 Format::R8 | Format::R32Float => 1,
                 Format::Rgba8 | Format::Rgba32Float => 4,
             },
-            is_float: matches!(texels.format, Format::R32Float | Format::Rgba32Float),
             numbers,
         }
     }
@@ -310,45 +307,6 @@ impl Level {
         }
     }
 
-    /// The next level of a volume, each texel linear between those around its centre: the mean of eight where sides are
-    /// even.
-    fn shrunk(&self) -> Level {
-        let [width, height, depth] = self.size;
-        let half = |side: u32| (side / 2).max(1);
-        let size = [half(width), half(height), half(depth)];
-        let [xs, ys, zs] = [0, 1, 2].map(|axis| taps(self.size[axis], size[axis]));
-        let mut numbers =
-            Vec::with_capacity(size.iter().product::<u32>() as usize * self.components);
-        for z in &zs {
-            for y in &ys {
-                for x in &xs {
-                    for component in 0..self.components {
-                        let mut sum = 0.0;
-                        for (z, part_z) in z {
-                            for (y, part_y) in y {
-                                for (x, part_x) in x {
-                                    let texel = ((z * height + y) * width + x) as usize;
-                                    let number = self.numbers[texel * self.components + component];
-                                    sum += number * part_x * part_y * part_z;
-                                }
-                            }
-                        }
-                        numbers.push(if self.is_float {
-                            sum
-                        } else {
-                            (sum + 0.5).floor()
-                        });
-                    }
-                }
-            }
-        }
-        Level {
-            size,
-            numbers,
-            ..*self
-        }
-    }
-
     /// The numbers as a texture of this format wants them.
     fn bytes(&self, format: wgpu::TextureFormat) -> Vec<u8> {
         use wgpu::TextureFormat::{R16Float, R32Float, Rgba16Float, Rgba32Float};
@@ -365,29 +323,12 @@ impl Level {
     }
 }
 
-/// Which numbers of a side, and how much of each, make each number of a smaller one.
-fn taps(side: u32, smaller: u32) -> Vec<Vec<(u32, f32)>> {
-    let scale = side as f32 / smaller as f32;
-    let tap = |index: u32| {
-        let at = (index as f32 + 0.5) * scale - 0.5;
-        let (low, part) = (at.floor(), at - at.floor());
-        match part > 0.0 {
-            true => vec![
-                (low as u32, 1.0 - part),
-                ((low as u32 + 1).min(side - 1), part),
-            ],
-            false => vec![(low as u32, 1.0)],
-        }
-    };
-    (0..smaller).map(tap).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn level(size: [u32; 3], bytes: &[u8]) -> Level {
-        Level::new(&Texels {
+    fn stored(size: [u32; 3], bytes: &[u8]) -> Stored {
+        Stored::new(&Texels {
             size,
             format: Format::R8,
             bytes: bytes.to_vec(),
@@ -395,16 +336,8 @@ mod tests {
     }
 
     #[test]
-    fn levels_of_volumes_are_means() {
-        let smaller = level([2, 2, 2], &[0, 0, 0, 0, 8, 8, 8, 9]).shrunk();
-        assert_eq!((smaller.size, &*smaller.numbers), ([1, 1, 1], &[4.0][..]));
-        let smaller = level([1, 2, 1], &[1, 2]).shrunk();
-        assert_eq!((smaller.size, &*smaller.numbers), ([1, 1, 1], &[2.0][..]));
-    }
-
-    #[test]
     fn a_flipped_cubemap_looks_up_where_it_looked_down() {
-        let mut faces = level([1, 2, 6], &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
+        let mut faces = stored([1, 2, 6], &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
         faces.flip(SamplerKind::Cube);
         assert_eq!(
             faces.numbers,

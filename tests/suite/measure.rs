@@ -69,7 +69,16 @@ fn findings(
     folder: &Path,
     known: &dyn Fn(&Variant, f64) -> Option<Cell>,
 ) -> (Findings, usize, BTreeSet<String>) {
-    let study = Study::parse(STUDY).expect("a study");
+    findings_of(gpu, STUDY, folder, known)
+}
+
+fn findings_of(
+    gpu: &Gpu,
+    study: &str,
+    folder: &Path,
+    known: &dyn Fn(&Variant, f64) -> Option<Cell>,
+) -> (Findings, usize, BTreeSet<String>) {
+    let study = Study::parse(study).expect("a study");
     let (mut kept, mut steps) = (0, BTreeSet::new());
     let around = Surroundings {
         gpu,
@@ -105,6 +114,40 @@ fn assert_three_digits(got: f64, want: f64) {
         (got - want).abs() <= 1e-3 * want.abs(),
         "{got} instead of {want}"
     );
+}
+
+#[test]
+fn what_changes_from_frame_to_frame_flickers() {
+    let Some(gpu) = gpu() else { return };
+    // A picture that grows brighter, with an error that stays, and one that comes and goes.
+    let folder = Folder::with(
+        "grey.glsl",
+        "#define OFF 0.0\n#define SWING 0.0\n\
+         void mainImage(out vec4 c, in vec2 p) {\n\
+             c = vec4(vec3(0.25 + 0.1 * iTime + OFF + SWING * float(iFrame % 2)), 1);\n\
+         }",
+    );
+    let study = r#"
+        title = "Grey"
+        scene = "grey.glsl"
+        size = "8x4"
+        times = [1.0, 2.5]
+        flicker = true
+        reference = { precision = "f32" }
+        [[family]]
+        name = "off"
+        vary = { OFF = [0.125] }
+        [[family]]
+        name = "swings"
+        vary = { SWING = [0.25] }"#;
+    let (found, ..) = findings_of(gpu, study, folder.path(), &|_, _| None);
+    let flicker: Vec<_> = found.cells.iter().map(|cell| cell.flicker).collect();
+    let [Some(off), _, Some(swings), Some(later)] = flicker[..] else {
+        panic!("{flicker:?}");
+    };
+    assert!(off < 1e-6, "{off}");
+    assert_three_digits(swings, 0.25);
+    assert_three_digits(later, 0.25);
 }
 
 #[test]
