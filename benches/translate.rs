@@ -149,6 +149,7 @@ fn ours(text: &Text, arithmetic: Arithmetic, times: &mut [Duration; 5]) -> bool 
             round_limit: None,
             checks: lower::Checks::None,
             interface: &bindings::INTERFACE,
+            unit_0: None,
             double_functions: &double_functions,
         },
     );

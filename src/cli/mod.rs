@@ -70,8 +70,9 @@ const SANITIZE_HELP: &str = "Look for what GLSL leaves undefined and for what is
 #[command(after_help = "Keys:\n  \
     space, pause  stop time, go on       S       save the picture as PNG\n  \
     . ,           a frame on, back       F       full screen\n  \
-    R             back to the start      Ctrl+V  play the clipboard's text\n  \
-    Esc           leave                  mouse   is iMouse; drop a file to open it\n\n\
+    R             back to the start      M       sound off, on\n  \
+    Esc           leave                  Ctrl+V  play the clipboard's text\n  \
+    mouse         is iMouse              drop a file to open it\n\n\
     Where the scene reads the keyboard, the keys are the scene's: press Ctrl with them, but for Esc.")]
 pub struct RunArgs {
     #[arg(help = format!("{SCENE_HELP} [default: a scene that comes with the program]"))]
@@ -97,6 +98,9 @@ pub struct RunArgs {
     /// Do not watch the files for changes
     #[arg(long)]
     pub no_watch: bool,
+    /// Begin without sound
+    #[arg(long)]
+    pub mute: bool,
     #[arg(long, help = SANITIZE_HELP)]
     pub sanitize: bool,
     #[command(flatten)]

@@ -44,6 +44,7 @@ pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
         fps_limit: args.fps_limit,
         watch: !args.no_watch,
         date,
+        mute: args.mute,
         record,
         adapter: adapter_choice(&args.gpu),
     };

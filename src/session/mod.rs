@@ -59,6 +59,8 @@ pub struct Session {
     pub warnings: Report,
     /// What its channels read.
     pub inputs: Inputs,
+    /// Whether the scene has a Sound pass, also where it was opened for its picture.
+    pub has_sound: bool,
     /// How it was opened, and is when it is reloaded.
     pub setup: Setup,
     /// How long it took to get here.
@@ -155,6 +157,7 @@ impl Session {
             true => PassKind::Sound,
             false => PassKind::Image,
         };
+        let has_sound = scene.passes.iter().any(|pass| pass.kind == PassKind::Sound);
         leave_out(&mut scene, &mut programs, wanted);
         let translated = Instant::now();
         let inputs = inputs(&scene, &programs, &setup.library).map_err(in_scene)?;
@@ -174,6 +177,7 @@ impl Session {
             renderer,
             warnings,
             inputs,
+            has_sound,
             setup: Setup {
                 options,
                 ..setup.clone()

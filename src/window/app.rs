@@ -13,6 +13,7 @@ use winit::window::WindowId;
 
 use super::hands::Hands;
 use super::input::{self, Command};
+use super::sound::Sound;
 use super::stage::Stage;
 use super::watch::FileWatch;
 use super::{Opened, Options, PlayError, Reload, Wake, picture};
@@ -37,6 +38,7 @@ pub(super) struct App {
     pointer: DVec2,
     modifiers: ModifiersState,
     stage: Option<Stage>,
+    sound: Sound,
     opening: Opening,
     /// The number of the latest opening; answers to older ones no longer count.
     latest_opening: u64,
@@ -55,6 +57,7 @@ impl App {
     pub fn new(options: Options, watchdog: Watchdog, wakes: EventLoopProxy<Wake>) -> Self {
         App {
             clock: options.date.map_or_else(Clock::default, Clock::from_date),
+            sound: Sound::new(options.mute),
             options,
             watchdog,
             wakes,
@@ -98,6 +101,9 @@ impl App {
         if self.options.watch {
             self.start_watching(&stage.session.scene.read);
         }
+        let Options { source, setup, .. } = &self.options;
+        self.sound
+            .play(&stage.gpu, source, setup, stage.session.has_sound);
         self.stage = Some(stage);
         Ok(())
     }
@@ -143,6 +149,7 @@ impl App {
         } else if stage.wants_frame(&self.clock, now) {
             let mut input = self.clock.tick(stage.size());
             self.hands.give(&mut input);
+            self.sound.follow(input.time, !self.clock.is_paused());
             self.watchdog.begin();
             if self.clock.is_paused() {
                 stage.title_changed();
@@ -232,6 +239,9 @@ impl App {
             self.hands.let_go();
         }
         if let Some(stage) = &mut self.stage {
+            let Options { source, setup, .. } = &self.options;
+            self.sound
+                .play(&stage.gpu, source, setup, session.has_sound);
             stage.replace(session, reload)?;
         }
         Ok(())
@@ -270,7 +280,20 @@ impl App {
 
     fn obey(&mut self, event_loop: &ActiveEventLoop, command: Command) {
         match command {
-            Command::TogglePause => self.clock.set_paused(!self.clock.is_paused()),
+            Command::TogglePause => {
+                self.clock.set_paused(!self.clock.is_paused());
+                let time = self.stage.as_ref().and_then(|stage| stage.shown);
+                let time = time.map_or(0.0, |input| input.time);
+                self.sound.follow(time, !self.clock.is_paused());
+            }
+            Command::ToggleMute => {
+                let words = if self.sound.toggle_mute() {
+                    "off"
+                } else {
+                    "on"
+                };
+                report::tell(format_args!("sound is {words}"));
+            }
             Command::Step(frames) if frames < 0 && self.hands.is_recording() => {
                 report::tell("there is no way back while input is recorded, but to the start");
             }

@@ -14,6 +14,8 @@ pub(super) enum Command {
     Restart,
     /// Write the picture to a file.
     Save,
+    /// Make the sound silent, or heard again.
+    ToggleMute,
     /// Fill the screen, or leave it.
     ToggleFullScreen,
     /// Open the clipboard's text as a scene.
@@ -40,6 +42,7 @@ pub(super) fn command(key: &Key, modifiers: ModifiersState, is_scenes: bool) -> 
             "r" => Some(Command::Restart),
             "s" => Some(Command::Save),
             "f" => Some(Command::ToggleFullScreen),
+            "m" => Some(Command::ToggleMute),
             _ => None,
         },
         Key::Named(NamedKey::Space | NamedKey::Pause) => Some(Command::TogglePause),

@@ -10,6 +10,11 @@ mod findings;
 mod hands;
 mod input;
 mod picture;
+#[cfg(not(feature = "sound"))]
+#[path = "silence.rs"]
+mod sound;
+#[cfg(feature = "sound")]
+mod sound;
 mod stage;
 mod title;
 mod watch;
@@ -44,6 +49,8 @@ pub struct Options {
     pub watch: bool,
     /// The date of the first frame, if it is not today's.
     pub date: Option<Date>,
+    /// Whether the scene's sound is not heard at first.
+    pub mute: bool,
     /// Where mouse and keys are recorded, if they are.
     pub record: Option<Record>,
     /// The adapter to draw with.

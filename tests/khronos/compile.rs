@@ -64,6 +64,7 @@ pub fn compile(text: &str, uniforms: Vec<String>) -> Result<Lowered, Refusal> {
         round_budget: None,
         round_limit: None,
         checks: lower::Checks::None,
+        unit_0: None,
         interface: &Interface {
             group: GROUP,
             block: BLOCK,

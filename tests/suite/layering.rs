@@ -26,7 +26,7 @@ const RULES: &[(&str, &str, &str)] = &[
     ("web", "output scene", "serde_json thiserror ureq std::fs"),
     ("export", "frame output render scene session source translate", "glam thiserror std::fs"),
     ("window", "frame input_script output render report scene session source translate",
-        "anstream arboard glam notify winit"),
+        "anstream arboard cpal glam notify winit"),
     ("cli", "", "clap"),
     ("commands", "cli config export frame input_script measure media output render report scene session source translate web window",
         "anstream anyhow ctrlc glam indicatif serde serde_json std::fs"),
