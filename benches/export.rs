@@ -1,10 +1,12 @@
 //! What exporting costs on top of drawing.
 //!
-//! Two questions, each answered in one run, interleaved, with medians:
+//! Three questions, each answered in one run, interleaved, with medians:
 //!
 //! - a trivial gradient, 1280×720, 120 frames: an export against a bare loop that renders and throws
 //!   away;
-//! - the terrain template, 640×360, 60 frames: the export's wall time against the GPU's own time.
+//! - the terrain template, 640×360, 60 frames: the export's wall time against the GPU's own time;
+//! - four buffers of 1280×720 that each read themselves and another, 120 frames: the GPU's time for whole frames against
+//!   that of their passes.
 //!
 //! Run it with `cargo bench --bench export`. It draws with the default adapter, or with the one that
 //! `WGPU_ADAPTER_NAME` names.
@@ -34,6 +36,7 @@ fn main() {
     println!("{}", gpu.describe());
     gradient(&gpu);
     template(&gpu);
+    feedback(&gpu);
 }
 
 fn gradient(gpu: &Gpu) {
@@ -85,6 +88,58 @@ fn template(gpu: &Gpu) {
     match ratios.is_empty() {
         true => println!("  this adapter cannot time itself"),
         false => println!("  wall / GPU {:7.3}", median(ratios)),
+    }
+}
+
+/// A pass that spreads what it held and what another buffer holds, as simulations do.
+const SPREAD: &str = "void mainImage(out vec4 c, in vec2 p) {
+    vec4 sum = vec4(0.0);
+    for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
+        ivec2 at = clamp(ivec2(p) + ivec2(x, y), ivec2(0), ivec2(iResolution.xy) - 1);
+        sum += texelFetch(iChannel0, at, 0) + 0.1 * texelFetch(iChannel1, at, 0);
+    }
+    c = fract(sum / 9.0 + 0.01 * vec4(p / iResolution.xy, iTime, 1.0));
+}";
+
+fn feedback(gpu: &Gpu) {
+    let folder = tempfile::tempdir().expect("a folder for the scene");
+    let write = |name: &str, text: &str| {
+        std::fs::write(folder.path().join(name), text).expect("room for the scene");
+    };
+    let mut manifest = String::new();
+    for (letter, other) in ["AD", "BA", "CB", "DC"].map(|pair| pair.split_at(1)) {
+        let name = format!("buffer_{}", letter.to_lowercase());
+        write(&format!("{name}.glsl"), SPREAD);
+        manifest += &format!(
+            "[{name}]\nsource = \"{name}.glsl\"\n\
+             iChannel0 = {{ buffer = \"{letter}\" }}\niChannel1 = {{ buffer = \"{other}\" }}\n"
+        );
+    }
+    let show = "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }";
+    write("image.glsl", show);
+    manifest += "[image]\nsource = \"image.glsl\"\niChannel0 = { buffer = \"D\" }\n";
+    write("scene.toml", &manifest);
+    let source = Source::Path(folder.path().to_owned());
+    let session = Session::open(gpu, &source, &Setup::default()).expect("a scene that runs");
+    let (size, frames) = (UVec2::new(1280, 720), 120);
+    exported_once(gpu, &session, size, 10, true);
+    let (mut passes, mut ratios) = (Vec::new(), Vec::new());
+    for _ in 0..REPEATS {
+        let (_, summary) = exported_once(gpu, &session, size, frames, true);
+        let sum: f64 = summary.pass_seconds.iter().sum();
+        if let Some(seconds) = summary.gpu_seconds {
+            passes.push(sum);
+            ratios.push(seconds / sum);
+        }
+    }
+    println!("four feedback buffers, 1280x720, {frames} frames, median of {REPEATS}");
+    match ratios.is_empty() {
+        true => println!("  this adapter cannot time itself"),
+        false => {
+            let per_frame = 1e3 * median(passes) / f64::from(frames);
+            println!("  passes     {per_frame:7.3} ms a frame");
+            println!("  frame / passes {:7.3}", median(ratios));
+        }
     }
 }
 

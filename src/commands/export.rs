@@ -302,10 +302,21 @@ struct Stats<'a> {
     first_frame_seconds: f64,
     /// Drawing, as the GPU's own clock has it; null where it has none.
     gpu_seconds: Option<f64>,
+    /// The passes in the order in which they are drawn, and the part of `gpu_seconds` that each took. What that is more
+    /// than their sum lies between them.
+    passes: Vec<PassStats>,
+    /// Passes that nothing needs, and that therefore cost nothing.
+    left_out: Vec<&'static str>,
     /// Copying pictures out of the GPU's memory.
     read_back_seconds: f64,
     /// Encoding and writing, the sum over all threads.
     encode_seconds: f64,
+}
+
+#[derive(Serialize)]
+struct PassStats {
+    name: &'static str,
+    gpu_seconds: Option<f64>,
 }
 
 impl<'a> Stats<'a> {
@@ -332,6 +343,14 @@ impl<'a> Stats<'a> {
             pipeline_seconds: session.timing.build.as_secs_f64(),
             first_frame_seconds: summary.first_frame.as_secs_f64(),
             gpu_seconds: summary.gpu_seconds,
+            passes: (0..)
+                .zip(&session.scene.passes)
+                .map(|(place, pass)| PassStats {
+                    name: pass.kind.name(),
+                    gpu_seconds: summary.pass_seconds.get::<usize>(place).copied(),
+                })
+                .collect(),
+            left_out: session.left_out.iter().map(|kind| kind.name()).collect(),
             read_back_seconds: summary.read_back.as_secs_f64(),
             encode_seconds: summary.encode.as_secs_f64(),
         }

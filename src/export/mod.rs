@@ -118,6 +118,8 @@ pub struct Summary {
     pub first_frame: Duration,
     /// Time that the GPU drew, all frames together, if it was asked and can tell.
     pub gpu_seconds: Option<f64>,
+    /// The parts of it that each pass took, in their order; none where that is not known.
+    pub pass_seconds: Vec<f64>,
     /// Time spent copying pictures out of the GPU's memory.
     pub read_back: Duration,
     /// Time spent encoding and writing, all threads together.
@@ -207,7 +209,10 @@ pub fn export(
     job.check_output()?;
     let mut drawing = Drawing::new(gpu, session, job, watchdog)?;
     let extras = Extras {
-        times: job.timed,
+        timed_passes: match job.timed {
+            true => session.renderer.pass_count(),
+            false => 0,
+        },
         finding_words: session.renderer.finding_words(),
     };
     let ring = ReadBack::new(gpu, &drawing.canvas.target, RING, extras)?;
@@ -263,6 +268,11 @@ pub fn export(
             summary.read_back += copy.elapsed();
             if let Some(seconds) = transferred.gpu_seconds {
                 *summary.gpu_seconds.get_or_insert(0.0) += seconds;
+            }
+            let passes = transferred.pass_seconds;
+            summary.pass_seconds.resize(passes.len(), 0.0);
+            for (sum, seconds) in summary.pass_seconds.iter_mut().zip(passes) {
+                *sum += seconds;
             }
             summary.findings.note(
                 &session.programs,

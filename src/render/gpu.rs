@@ -1,5 +1,7 @@
+use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
-use std::time::Duration;
+use std::thread;
+use std::time::{Duration, Instant};
 
 use glam::UVec2;
 
@@ -266,15 +268,25 @@ impl Gpu {
 
     /// Waits a moment for what was submitted; `false` means that the device is still busy with it.
     pub fn is_done(&self, submission: &super::Submission) -> Result<bool, GpuError> {
-        let poll = self.device.poll(wgpu::PollType::Wait {
-            submission_index: Some(submission.0.clone()),
-            timeout: Some(WAIT_SLICE),
-        });
-        self.check()?;
-        match poll {
-            Ok(_) => Ok(true),
-            Err(wgpu::PollError::Timeout) => Ok(false),
-            Err(error) => Err(GpuError::Lost(error.to_string())),
+        self.wait_for(|| submission.0.load(Ordering::Acquire))
+    }
+
+    /// Waits a moment for what work that has finished calls back. wgpu's own wait with a limit panics now and then where
+    /// several threads wait for one device, so that it is asked again and again instead.
+    pub(super) fn wait_for(&self, is_done: impl Fn() -> bool) -> Result<bool, GpuError> {
+        let began = Instant::now();
+        let mut pause = Duration::from_micros(50);
+        loop {
+            self.poll();
+            self.check()?;
+            if is_done() {
+                return Ok(true);
+            }
+            if began.elapsed() > WAIT_SLICE {
+                return Ok(false);
+            }
+            thread::sleep(pause);
+            pause = (2 * pause).min(Duration::from_millis(1));
         }
     }
 
@@ -511,4 +523,4 @@ pub fn adapters() -> Vec<AdapterSummary> {
 }
 
 /// How long a wait for the device lasts before its caller looks around.
-pub(super) const WAIT_SLICE: Duration = Duration::from_millis(100);
+const WAIT_SLICE: Duration = Duration::from_millis(100);

@@ -29,7 +29,8 @@ pub use read_back::{Extras, ReadBack, Slot, Transferred};
 pub use target::{Format, Target};
 pub use watchdog::Watchdog;
 
-use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
 use buffers::{Buffers, Surface};
@@ -50,7 +51,7 @@ pub const SOUND_BLOCK: u32 = SOUND_SIDE * SOUND_SIDE;
 
 /// What has been handed to the device together.
 #[derive(Debug)]
-pub struct Submission(wgpu::SubmissionIndex);
+pub struct Submission(Arc<AtomicBool>);
 
 /// What a scene is drawn into: the picture, and the buffers that its passes draw for each other.
 #[derive(Debug)]
@@ -243,12 +244,14 @@ impl Renderer {
             PassKind::Sound => Part::Block(input.frame.unsigned_abs() * SOUND_BLOCK),
             PassKind::Image | PassKind::Buffer(_) => Part::Whole,
         };
+        let end = from.row + rows;
+        let is_whole = end >= self.rows_of(canvas, from);
         let band = pass::Band {
             part,
             width,
             rows: row..row + rows,
             keeps: pass.draws().is_some(),
-            timestamps: slot.and_then(|slot| slot.timestamps(is_first, is_last)),
+            timestamps: slot.and_then(|slot| slot.timestamps(from.pass, from.row == 0, is_whole)),
         };
         let buffers = &canvas.buffers;
         let view = match pass.draws() {
@@ -257,8 +260,7 @@ impl Renderer {
         };
         let group = buffers.group(from.pass, face as usize);
         pass.draw(gpu, input, encoder, view, group, band);
-        let end = from.row + rows;
-        if end < self.rows_of(canvas, from) {
+        if !is_whole {
             return Some(Cursor { row: end, ..from });
         }
         if let Some(surface) = pass.draws() {
@@ -282,10 +284,16 @@ impl Renderer {
         canvas: &Canvas,
         slot: Option<&mut Slot>,
     ) -> Submission {
-        Submission(match slot {
+        match slot {
             Some(slot) => slot.copy(gpu, encoder, &canvas.target, self.findings()),
-            None => gpu.queue().submit([encoder.finish()]),
-        })
+            None => {
+                gpu.queue().submit([encoder.finish()]);
+            }
+        }
+        let is_done = Arc::new(AtomicBool::new(false));
+        let done = Arc::clone(&is_done);
+        gpu.on_done(move || done.store(true, Ordering::Release));
+        Submission(is_done)
     }
 
     /// Draws a frame band by band, and waits for each, so that the device is never busy for long. `between`
@@ -334,6 +342,11 @@ impl Renderer {
 
     fn findings(&self) -> impl Iterator<Item = &wgpu::Buffer> {
         self.passes.iter().filter_map(|pass| pass.findings())
+    }
+
+    /// How many passes it draws.
+    pub fn pass_count(&self) -> u32 {
+        self.passes.len() as u32
     }
 
     /// What is bound for each pass, for those who want to know what was left out.

@@ -3,12 +3,12 @@ use std::sync::atomic::{AtomicU8, Ordering};
 
 use glam::UVec2;
 
-use super::gpu::{Gpu, GpuError, WAIT_SLICE};
+use super::gpu::{Gpu, GpuError};
 use super::target::{Format, Target};
 use crate::frame::{FloatImage, FrameImage};
 
-/// Two timestamps of eight bytes.
-const TIMES_BYTES: u64 = 16;
+/// The two timestamps of a pass, of eight bytes each.
+const PASS_BYTES: u64 = 16;
 
 /// A ring of buffers through which pictures come back from the GPU.
 ///
@@ -24,7 +24,10 @@ impl ReadBack {
     /// A ring of `count` slots for pictures like those of `target`.
     pub fn new(gpu: &Gpu, target: &Target, count: usize, extras: Extras) -> Result<Self, GpuError> {
         let extras = Extras {
-            times: extras.times && gpu.has_timestamps(),
+            timed_passes: match gpu.has_timestamps() {
+                true => extras.timed_passes,
+                false => 0,
+            },
             ..extras
         };
         let (size, format) = (target.size(), target.format());
@@ -45,7 +48,7 @@ impl ReadBack {
     /// A slot that brings back findings alone, of pictures of any size.
     pub fn of_findings(gpu: &Gpu, finding_words: u32) -> Result<Slot, GpuError> {
         let extras = Extras {
-            times: false,
+            timed_passes: 0,
             finding_words,
         };
         let (size, format) = (UVec2::ZERO, Format::Bytes);
@@ -59,8 +62,9 @@ impl ReadBack {
 /// What a slot brings back besides the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Extras {
-    /// How long the GPU drew, where the device can tell.
-    pub times: bool,
+    /// How many passes are timed, where the device can tell: none, or as many as the
+    /// [renderer](super::Renderer::pass_count) has.
+    pub timed_passes: u32,
     /// So many words of findings, see [`Renderer::finding_words`](super::Renderer::finding_words).
     pub finding_words: u32,
 }
@@ -72,7 +76,8 @@ struct Layout {
     stride: u32,
     findings: u64,
     finding_words: u32,
-    times: Option<u64>,
+    times: u64,
+    timed_passes: u32,
     /// All of it.
     bytes: u64,
 }
@@ -84,14 +89,21 @@ impl Layout {
         let findings = u64::from(stride) * u64::from(size.y);
         let finding_words = extras.finding_words;
         let end = (findings + 4 * u64::from(finding_words)).next_multiple_of(8);
-        let times = extras.times.then_some(end);
-        Layout {
+        let timed_passes = extras.timed_passes;
+        let mut layout = Layout {
             stride,
             findings,
             finding_words,
-            times,
-            bytes: end + times.map_or(0, |_| TIMES_BYTES),
-        }
+            times: end,
+            timed_passes,
+            bytes: end,
+        };
+        layout.bytes += layout.times_bytes();
+        layout
+    }
+
+    fn times_bytes(&self) -> u64 {
+        PASS_BYTES * u64::from(self.timed_passes)
     }
 }
 
@@ -103,7 +115,6 @@ pub struct Slot {
     layout: Layout,
     buffer: wgpu::Buffer,
     stopwatch: Option<Stopwatch>,
-    submission: Option<wgpu::SubmissionIndex>,
     state: Arc<AtomicU8>,
 }
 
@@ -114,8 +125,11 @@ const FAILED: u8 = 2;
 /// What came back besides the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transferred {
-    /// How long the GPU drew this frame, if it was asked and can tell.
+    /// How long the GPU drew this frame, from the beginning of its first pass to the end of its last, if it was asked
+    /// and can tell.
     pub gpu_seconds: Option<f64>,
+    /// How long each pass took, under the same conditions. The smaller levels of buffers are made between passes.
+    pub pass_seconds: Vec<f64>,
     /// The words of findings, of all passes that have some.
     pub findings: Vec<u32>,
 }
@@ -132,23 +146,23 @@ impl Slot {
                 usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
                 mapped_at_creation: false,
             }),
-            stopwatch: layout.times.map(|_| Stopwatch::new(gpu)),
-            submission: None,
+            stopwatch: (layout.timed_passes > 0).then(|| Stopwatch::new(gpu, &layout)),
             state: Arc::default(),
         }
     }
 
-    /// The timestamps of a band, which may be a frame's first or last.
+    /// The timestamps of a band, which may be the first or the last of a pass.
     pub(super) fn timestamps(
         &self,
+        pass: usize,
         is_first: bool,
         is_last: bool,
     ) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
         let stopwatch = self.stopwatch.as_ref().filter(|_| is_first || is_last)?;
         Some(wgpu::RenderPassTimestampWrites {
             query_set: &stopwatch.queries,
-            beginning_of_pass_write_index: is_first.then_some(0),
-            end_of_pass_write_index: is_last.then_some(1),
+            beginning_of_pass_write_index: is_first.then_some(2 * pass as u32),
+            end_of_pass_write_index: is_last.then_some(2 * pass as u32 + 1),
         })
     }
 
@@ -166,17 +180,18 @@ impl Slot {
         mut encoder: wgpu::CommandEncoder,
         target: &Target,
         findings: impl Iterator<Item = &'b wgpu::Buffer>,
-    ) -> wgpu::SubmissionIndex {
+    ) {
         if self.size != UVec2::ZERO {
             debug_assert_eq!(self.size, target.size(), "a slot is made for one size");
             self.copy_picture(&mut encoder, target);
         }
         self.add_findings(&mut encoder, findings);
-        if let (Some(stopwatch), Some(times)) = (&self.stopwatch, self.layout.times) {
-            encoder.resolve_query_set(&stopwatch.queries, 0..2, &stopwatch.resolved, 0);
-            encoder.copy_buffer_to_buffer(&stopwatch.resolved, 0, &self.buffer, times, TIMES_BYTES);
+        if let Some(Stopwatch { queries, resolved }) = &self.stopwatch {
+            let (times, bytes) = (self.layout.times, self.layout.times_bytes());
+            encoder.resolve_query_set(queries, 0..2 * self.layout.timed_passes, resolved, 0);
+            encoder.copy_buffer_to_buffer(resolved, 0, &self.buffer, times, bytes);
         }
-        self.submit(gpu, encoder)
+        self.submit(gpu, encoder);
     }
 
     /// Asks for findings alone, without drawing.
@@ -207,9 +222,8 @@ impl Slot {
         }
     }
 
-    fn submit(&mut self, gpu: &Gpu, encoder: wgpu::CommandEncoder) -> wgpu::SubmissionIndex {
-        let submission = gpu.queue().submit([encoder.finish()]);
-        self.submission = Some(submission.clone());
+    fn submit(&mut self, gpu: &Gpu, encoder: wgpu::CommandEncoder) {
+        gpu.queue().submit([encoder.finish()]);
         self.state.store(PENDING, Ordering::Release);
         let state = Arc::clone(&self.state);
         self.buffer
@@ -217,7 +231,6 @@ impl Slot {
                 let outcome = if result.is_ok() { MAPPED } else { FAILED };
                 state.store(outcome, Ordering::Release);
             });
-        submission
     }
 
     fn copy_picture(&self, encoder: &mut wgpu::CommandEncoder, target: &Target) {
@@ -237,18 +250,12 @@ impl Slot {
 
     /// Waits a moment for the picture; `false` means that it is still being drawn.
     pub fn is_ready(&self, gpu: &Gpu) -> Result<bool, GpuError> {
-        let poll = gpu.device().poll(wgpu::PollType::Wait {
-            submission_index: self.submission.clone(),
-            timeout: Some(WAIT_SLICE),
-        });
-        gpu.check()?;
-        match (self.state.load(Ordering::Acquire), poll) {
-            (MAPPED, _) => Ok(true),
-            (FAILED, _) => Err(GpuError::Lost(
+        gpu.wait_for(|| self.state.load(Ordering::Acquire) != PENDING)?;
+        match self.state.load(Ordering::Acquire) {
+            FAILED => Err(GpuError::Lost(
                 "a picture could not be read back".to_owned(),
             )),
-            (_, Ok(_) | Err(wgpu::PollError::Timeout)) => Ok(false),
-            (_, Err(error)) => Err(GpuError::Lost(error.to_string())),
+            state => Ok(state == MAPPED),
         }
     }
 
@@ -299,7 +306,7 @@ impl Slot {
         gpu: &Gpu,
         mut each: impl FnMut(&[u8]),
     ) -> Result<Transferred, GpuError> {
-        let (gpu_seconds, findings);
+        let (times, findings);
         {
             let mapped = self
                 .buffer
@@ -314,22 +321,27 @@ impl Slot {
                 .take(self.layout.finding_words as usize)
                 .map(bytemuck::pod_read_unaligned)
                 .collect();
-            gpu_seconds = self.layout.times.map(|times| {
-                let times = times as usize;
-                let tick = |at: usize| -> u64 { bytemuck::pod_read_unaligned(&mapped[at..at + 8]) };
-                let ticks = tick(times + 8).saturating_sub(tick(times));
-                ticks as f64 * f64::from(gpu.queue().get_timestamp_period()) * 1e-9
-            });
+            let bytes = self.layout.times as usize..self.layout.bytes as usize;
+            let passes = mapped[bytes].chunks_exact(PASS_BYTES as usize);
+            times = passes
+                .map(bytemuck::pod_read_unaligned)
+                .collect::<Vec<[u64; 2]>>();
         }
         self.buffer.unmap();
+        let tick = f64::from(gpu.queue().get_timestamp_period()) * 1e-9;
+        let seconds = |from: u64, to: u64| to.saturating_sub(from) as f64 * tick;
         Ok(Transferred {
-            gpu_seconds,
+            gpu_seconds: times
+                .first()
+                .zip(times.last())
+                .map(|(first, last)| seconds(first[0], last[1])),
+            pass_seconds: times.iter().map(|&[from, to]| seconds(from, to)).collect(),
             findings,
         })
     }
 }
 
-/// A pair of timestamps around one frame.
+/// A pair of timestamps around each pass of a frame.
 #[derive(Debug)]
 struct Stopwatch {
     queries: wgpu::QuerySet,
@@ -337,16 +349,16 @@ struct Stopwatch {
 }
 
 impl Stopwatch {
-    fn new(gpu: &Gpu) -> Self {
+    fn new(gpu: &Gpu, layout: &Layout) -> Self {
         Stopwatch {
             queries: gpu.device().create_query_set(&wgpu::QuerySetDescriptor {
                 label: None,
                 ty: wgpu::QueryType::Timestamp,
-                count: 2,
+                count: 2 * layout.timed_passes,
             }),
             resolved: gpu.device().create_buffer(&wgpu::BufferDescriptor {
                 label: None,
-                size: TIMES_BYTES,
+                size: layout.times_bytes(),
                 usage: wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
                 mapped_at_creation: false,
             }),

@@ -54,7 +54,7 @@ impl Subject {
         let session = Session::open(gpu, source, &setup)?;
         let canvas = session.renderer.canvas(gpu, size)?;
         let extras = Extras {
-            times: true,
+            timed_passes: session.renderer.pass_count(),
             finding_words: session.renderer.finding_words(),
         };
         let mut ring = ReadBack::new(gpu, &canvas.target, 1, extras)?;

@@ -59,8 +59,8 @@ pub struct Session {
     pub warnings: Report,
     /// What its channels read.
     pub inputs: Inputs,
-    /// Whether the scene has a Sound pass, also where it was opened for its picture.
-    pub has_sound: bool,
+    /// The passes that were left out, because what is wanted needs nothing of them.
+    pub left_out: Vec<PassKind>,
     /// How it was opened, and is when it is reloaded.
     pub setup: Setup,
     /// How long it took to get here.
@@ -157,8 +157,7 @@ impl Session {
             true => PassKind::Sound,
             false => PassKind::Image,
         };
-        let has_sound = scene.passes.iter().any(|pass| pass.kind == PassKind::Sound);
-        leave_out(&mut scene, &mut programs, wanted);
+        let left_out = leave_out(&mut scene, &mut programs, wanted);
         let translated = Instant::now();
         let inputs = inputs(&scene, &programs, &setup.library).map_err(in_scene)?;
         let renderer = Renderer::new(gpu, &scene, &programs, &inputs, setup.format)?;
@@ -177,13 +176,18 @@ impl Session {
             renderer,
             warnings,
             inputs,
-            has_sound,
+            left_out,
             setup: Setup {
                 options,
                 ..setup.clone()
             },
             timing,
         })
+    }
+
+    /// Whether the scene has a Sound pass, for which it was not opened.
+    pub fn has_sound(&self) -> bool {
+        self.left_out.contains(&PassKind::Sound)
     }
 
     /// Whether some pass reads the keyboard.
@@ -299,8 +303,8 @@ fn unreadable(scene: &Scene, pass: &Pass, channel: usize, error: &MediaError) ->
     }
 }
 
-/// Leaves out the passes that the wanted one needs nothing of.
-fn leave_out(scene: &mut Scene, programs: &mut Vec<Program>, wanted: PassKind) {
+/// Leaves out the passes that the wanted one needs nothing of, and says which.
+fn leave_out(scene: &mut Scene, programs: &mut Vec<Program>, wanted: PassKind) -> Vec<PassKind> {
     let mut needed: Vec<bool> = scene
         .passes
         .iter()
@@ -329,10 +333,12 @@ fn leave_out(scene: &mut Scene, programs: &mut Vec<Program>, wanted: PassKind) {
         }
         needed = found;
     }
-    let mut keep = needed.iter();
-    scene
-        .passes
-        .retain(|_| *keep.next().expect("one for each pass"));
-    let mut keep = needed.iter();
-    programs.retain(|_| *keep.next().expect("one for each pass"));
+    let mut keep = needed.iter().copied();
+    programs.retain(|_| keep.next().expect("one for each pass"));
+    let (kept, left_out): (Vec<_>, Vec<_>) = std::mem::take(&mut scene.passes)
+        .into_iter()
+        .zip(needed)
+        .partition(|(_, is_needed)| *is_needed);
+    scene.passes = kept.into_iter().map(|(pass, _)| pass).collect();
+    left_out.into_iter().map(|(pass, _)| pass.kind).collect()
 }

@@ -103,7 +103,7 @@ impl App {
         }
         let Options { source, setup, .. } = &self.options;
         self.sound
-            .play(&stage.gpu, source, setup, stage.session.has_sound);
+            .play(&stage.gpu, source, setup, stage.session.has_sound());
         self.stage = Some(stage);
         Ok(())
     }
@@ -241,7 +241,7 @@ impl App {
         if let Some(stage) = &mut self.stage {
             let Options { source, setup, .. } = &self.options;
             self.sound
-                .play(&stage.gpu, source, setup, session.has_sound);
+                .play(&stage.gpu, source, setup, session.has_sound());
             stage.replace(session, reload)?;
         }
         Ok(())

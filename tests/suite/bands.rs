@@ -22,7 +22,7 @@ const TEXT: &str = "void mainImage(out vec4 c, in vec2 p) {
 fn drawn(gpu: &Gpu, session: &Session, size: UVec2, pace: Option<Pace>) -> (FrameImage, Vec<u32>) {
     let mut canvas = session.renderer.canvas(gpu, size).expect("a canvas");
     let extras = Extras {
-        times: true,
+        timed_passes: session.renderer.pass_count(),
         finding_words: session.renderer.finding_words(),
     };
     let mut ring = ReadBack::new(gpu, &canvas.target, 1, extras).expect("a slot");

@@ -156,6 +156,38 @@ fn statistics_say_where_the_time_went() {
 }
 
 #[test]
+fn statistics_tell_passes_apart_and_name_those_that_cost_nothing() {
+    let Some(gpu) = gpu() else { return };
+    let pass =
+        "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0) + 0.1; }";
+    let folder = Folder::with("image.glsl", pass);
+    folder.write("buffer_a.glsl", pass);
+    folder.write("buffer_b.glsl", WAVES);
+    folder.write(
+        "sound.glsl",
+        "vec2 mainSound(int n, float t) { return vec2(t); }",
+    );
+    folder
+        .run("export . --out a.png --size 64x36 --stats s.json")
+        .exits(0);
+    let stats: Value = serde_json::from_slice(&folder.read("s.json")).expect("JSON");
+    assert_eq!(stats["left_out"], serde_json::json!(["Sound", "Buffer B"]));
+    let passes = stats["passes"].as_array().expect("a list");
+    let names: Vec<_> = passes.iter().map(|pass| &pass["name"]).collect();
+    assert_eq!(names, ["Buffer A", "Image"]);
+    let seconds = passes.iter().map(|pass| pass["gpu_seconds"].as_f64());
+    match gpu.has_timestamps() {
+        true => {
+            let seconds: Vec<f64> = seconds.map(|seconds| seconds.expect("a time")).collect();
+            assert!(seconds.iter().all(|&seconds| seconds > 0.0), "{stats:#}");
+            let all = stats["gpu_seconds"].as_f64().expect("a time");
+            assert!(seconds.iter().sum::<f64>() <= all * 1.001, "{stats:#}");
+        }
+        false => assert!(seconds.flatten().next().is_none()),
+    }
+}
+
+#[test]
 fn a_scene_can_come_through_standard_input() {
     let Some(gpu) = gpu() else { return };
     let folder = Folder::new();

@@ -18,14 +18,51 @@ impl Builder<'_, '_> {
         if matches!(op, Add | Subtract | Multiply | Divide)
             && let Some(size) = self.expanded(left).or_else(|| self.expanded(right))
         {
-            let components = (0..size).map(|i| {
-                let [left, right] = [left, right].map(|value| self.component(value, i));
-                self.add(Expression::Binary { op, left, right })
-            });
-            let components = components.collect();
-            return self.compose(Type::vector(Scalar::Float, size), components);
+            return self.binary_by_component(op, left, right, size);
         }
         self.add(Expression::Binary { op, left, right })
+    }
+
+    /// An operation on two operands of floats, each of this size.
+    pub(super) fn binary_of_floats(
+        &mut self,
+        op: BinaryOperator,
+        left: H,
+        right: H,
+        size: u8,
+    ) -> H {
+        // To compilers of GLSL a scalar that is added to a vector is used once for each component, and they regroup only
+        // what is used once.
+        let is_spread =
+            |value: H| matches!(self.function.expressions[value], Expression::Splat { .. });
+        let is_sum = matches!(op, BinaryOperator::Add | BinaryOperator::Subtract);
+        let is_expanded = self.context.options.arithmetic == Arithmetic::Expanded;
+        if is_expanded && is_sum && size > 1 && (is_spread(left) || is_spread(right)) {
+            return self.binary_by_component(op, left, right, size);
+        }
+        self.binary(op, left, right)
+    }
+
+    /// The other operand, if one is seen to change nothing: compilers drop these first of all, but not where they hide in
+    /// a vector.
+    fn neutral(&self, op: BinaryOperator, left: H, right: H) -> Option<H> {
+        use BinaryOperator::{Add, Divide, Multiply, Subtract};
+        let [first, second] = [left, right].map(|value| self.known(value));
+        match (op, first, second) {
+            (Multiply | Divide, _, Some(1.0)) | (Add | Subtract, _, Some(0.0)) => Some(left),
+            (Multiply, Some(1.0), _) | (Add, Some(0.0), _) => Some(right),
+            _ => None,
+        }
+    }
+
+    fn binary_by_component(&mut self, op: BinaryOperator, left: H, right: H, size: u8) -> H {
+        let components = (0..size).map(|i| {
+            let [left, right] = [left, right].map(|value| self.component(value, i));
+            self.neutral(op, left, right)
+                .unwrap_or_else(|| self.add(Expression::Binary { op, left, right }))
+        });
+        let components = components.collect();
+        self.compose(Type::vector(Scalar::Float, size), components)
     }
 
     /// Infinity, if a divisor is a zero that compilers see. Some make anything of such a division, even

@@ -161,7 +161,7 @@ impl Builder<'_, '_> {
             B::Min => M::Min,
             B::Max => M::Max,
             B::Clamp => M::Clamp,
-            B::Mix => return self.mix(values),
+            B::Mix => return self.mix(values, ty),
             B::Step if self.is_expanded() => {
                 // As it is defined: drivers take what is no number the other way.
                 let reaches = BinaryOperator::GreaterEqual;
@@ -185,16 +185,6 @@ impl Builder<'_, '_> {
     fn scaled(&mut self, value: H, factor: f64, ty: Type) -> H {
         let factor = self.constant_of(factor, ty);
         self.product(value, factor)
-    }
-
-    /// With one product, as compilers of GLSL do it.
-    fn mix(&mut self, values: &[H]) -> H {
-        if !self.is_expanded() {
-            return self.math(M::Mix, values);
-        }
-        let way = self.difference(values[1], values[0]);
-        let part = self.product(values[2], way);
-        self.sum(values[0], part)
     }
 
     /// Spelled out, for edges in falling order work on all machines then.

@@ -125,23 +125,59 @@ impl Builder<'_, '_> {
     fn inverse2(&mut self, a: H, b: H) -> H {
         let vec2 = Type::vector(Scalar::Float, 2);
         let [ax, ay, bx, by] = [(a, 0), (a, 1), (b, 0), (b, 1)].map(|(v, i)| self.part(v, i));
-        let [left, right] = [(ax, by), (bx, ay)].map(|(x, y)| self.product(x, y));
-        let determinant = self.difference(left, right);
-        let factor = self.reciprocal(determinant);
+        let determinant = self.minor([ax, by], [bx, ay]);
         let [minus_ay, minus_bx] = [ay, bx].map(|value| self.negate(value));
         let first = self.compose(vec2, vec![by, minus_ay]);
         let second = self.compose(vec2, vec![minus_bx, ax]);
-        let columns = [first, second].map(|column| self.scale(column, factor));
-        self.compose(Type::matrix(2, 2), columns.to_vec())
+        self.divided([first, second], determinant)
     }
 
+    /// In the order of Mesa's `inverse`, so that it rounds in the same way.
     fn inverse3(&mut self, a: H, b: H, c: H) -> H {
-        let rows = [(b, c), (c, a), (a, b)].map(|(u, v)| self.cross(u, v));
-        let determinant = self.dot(a, rows[0], 3);
-        let factor = self.reciprocal(determinant);
-        let rows = rows.map(|row| self.scale(row, factor));
-        let rows = self.compose(Type::matrix(3, 3), rows.to_vec());
-        self.math(MathFunction::Transpose, &[rows])
+        let [a, b, c] = [a, b, c].map(|column| [0, 1, 2].map(|row| self.part(column, row)));
+        let entries = [
+            [
+                self.minor([b[1], c[2]], [c[1], b[2]]),
+                self.minor([a[1], c[2]], [a[2], c[1]]),
+                self.minor([a[1], b[2]], [a[2], b[1]]),
+            ],
+            [
+                self.minor([b[0], c[2]], [c[0], b[2]]),
+                self.minor([a[0], c[2]], [a[2], c[0]]),
+                self.minor([a[0], b[2]], [a[2], b[0]]),
+            ],
+            [
+                self.minor([b[0], c[1]], [c[0], b[1]]),
+                self.minor([a[0], c[1]], [a[1], c[0]]),
+                self.minor([a[0], b[1]], [a[1], b[0]]),
+            ],
+        ];
+        let [first, second, third] =
+            [0, 1, 2].map(|column| self.product(a[column], entries[column][0]));
+        let determinant = self.difference(first, second);
+        let determinant = self.sum(determinant, third);
+        let columns = [0, 1, 2].map(|column| {
+            let signed = [0, 1, 2].map(|row| match (column + row) % 2 {
+                0 => entries[column][row],
+                _ => self.negate(entries[column][row]),
+            });
+            self.compose(Type::vector(Scalar::Float, 3), signed.to_vec())
+        });
+        self.divided(columns, determinant)
+    }
+
+    /// The difference of two products.
+    fn minor(&mut self, first: [H; 2], second: [H; 2]) -> H {
+        let [first, second] = [first, second].map(|[x, y]| self.product(x, y));
+        self.difference(first, second)
+    }
+
+    /// A square matrix of these columns, divided by a number.
+    fn divided<const N: usize>(&mut self, columns: [H; N], divisor: H) -> H {
+        let size = N as u8;
+        let divisor = self.splat(divisor, size);
+        let columns = columns.map(|column| self.quotient(column, divisor));
+        self.compose(Type::matrix(size, size), columns.to_vec())
     }
 
     /// After Lengyel, Foundations of Game Engine Development 1, §1.7.5: the minors of the upper three

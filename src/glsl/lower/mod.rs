@@ -18,6 +18,7 @@ mod expression;
 mod function;
 mod interface;
 mod matrix;
+mod mix;
 mod operator;
 mod output;
 mod place;

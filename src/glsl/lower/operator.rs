@@ -56,8 +56,10 @@ impl Builder<'_, '_> {
         if is_division && scalar != Scalar::Float {
             right = self.divisor(right, scalar, sizes[1], at);
         }
-        // A vector may be scaled as it is, which also reads better.
-        let scales = op == BinaryOp::Multiply && scalar == Scalar::Float;
+        // A vector may be scaled as it is, which also reads better. SPIR-V has the vector first then, and compilers go by the
+        // order of factors.
+        let is_turned = self.context.options.arithmetic == Arithmetic::Expanded && sizes[0] < size;
+        let scales = op == BinaryOp::Multiply && scalar == Scalar::Float && !is_turned;
         if !scales || self.meets_constant(left, right) {
             if sizes[0] < size {
                 left = self.splat(left, size);
@@ -66,7 +68,10 @@ impl Builder<'_, '_> {
                 right = self.splat(right, size);
             }
         }
-        self.binary(arithmetic(op), left, right)
+        match scalar {
+            Scalar::Float => self.binary_of_floats(arithmetic(op), left, right, size),
+            _ => self.binary(arithmetic(op), left, right),
+        }
     }
 
     /// Whether a product is one with a constant that is to be computed component by component.
