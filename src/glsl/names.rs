@@ -122,8 +122,17 @@ impl Spellings {
 }
 
 impl Names {
-    /// The name with this spelling.
+    /// The name with this spelling, which may be an operator's or a bracket's.
     pub fn intern(&mut self, text: &str) -> Name {
+        let mut symbols = Symbol::ALL.iter();
+        match symbols.find(|symbol| symbol.text() == text) {
+            Some(symbol) => (*symbol).into(),
+            None => self.intern_word(text),
+        }
+    }
+
+    /// The name with this spelling, which is no operator's or bracket's.
+    pub(super) fn intern_word(&mut self, text: &str) -> Name {
         self.intern_packed(packed(text), text)
     }
 

@@ -8,6 +8,7 @@
 use std::collections::HashSet;
 
 pub mod bindings;
+mod bundle;
 mod finding;
 mod guard;
 mod plain;

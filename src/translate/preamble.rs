@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::bindings::{self, Uniform};
+use super::bundle;
 use super::plain::Plain;
 use crate::scene::{CHANNELS, Pass, PassKind, SamplerKind};
 
@@ -104,10 +105,17 @@ pub(super) fn preamble(pass: &Pass, texts: &[&str], plain: Option<&Plain>) -> St
     let all = texts.iter().copied().chain([&*customs]);
     let mentions = |word: &str| all.clone().any(|text| text.contains(word));
     let has_clock = pass.kind != PassKind::Sound;
+    let bundles: [bool; CHANNELS] = std::array::from_fn(|channel| {
+        pass.kind == PassKind::Image && mentions(&bundle::name(channel))
+    });
     let mut text = PRECISION.to_owned();
     for uniform in Uniform::ALL {
         let needed = mentions(uniform.name())
-            || (pass.kind == PassKind::Sound && uniform == Uniform::SampleRate);
+            || match uniform {
+                Uniform::SampleRate => pass.kind == PassKind::Sound,
+                Uniform::ChannelResolution | Uniform::ChannelTime => bundles.contains(&true),
+                _ => false,
+            };
         if needed && (has_clock || uniform.is_for_sound()) {
             writeln!(text, "uniform {};", uniform.declaration()).expect("strings take all text");
         }
@@ -118,11 +126,11 @@ pub(super) fn preamble(pass: &Pass, texts: &[&str], plain: Option<&Plain>) -> St
             .map_or(SamplerKind::TwoD, |channel| channel.input.sampler())
             .glsl();
         let name = bindings::channel_name(channel);
-        if mentions(name) {
+        if mentions(name) || bundles[channel] {
             writeln!(text, "uniform {sampler} {name};").expect("strings take all text");
         }
-        let bundle = format!("iCh{channel}");
-        if pass.kind == PassKind::Image && mentions(&bundle) {
+        if bundles[channel] {
+            let bundle = bundle::name(channel);
             writeln!(
                 text,
                 "uniform struct {{ {sampler} sampler; vec3 size; float time; int loaded; }} {bundle};"

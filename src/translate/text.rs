@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use super::plain::Plain;
 use super::program::{Functions, Guards, Program};
-use super::{Options, Output, Site, bindings, preamble, probe, refusal, write};
+use super::{Options, Output, Site, bindings, bundle, preamble, probe, refusal, write};
 use crate::glsl::check::{self, check};
 use crate::glsl::lower::{self, Checks, lower};
 use crate::glsl::names::{Name, Names};
@@ -14,7 +14,7 @@ use crate::glsl::preprocess::{self, preprocess};
 use crate::glsl::prune::Reachable;
 use crate::glsl::types::Shape;
 use crate::glsl::{Precision, double, finite, hir, syntax};
-use crate::scene::{CHANNELS, Pass, SamplerKind};
+use crate::scene::{CHANNELS, Pass, PassKind, SamplerKind};
 use crate::source::{Diagnostic, FileId, Severity, SourceMap, Span};
 
 pub(super) fn translate_text(
@@ -71,7 +71,7 @@ impl Text<'_> {
         fail_on_errors(&mut diagnostics)?;
         // They are none of the author's macros' business, and so a text of their own.
         let functions: Vec<_> = self.functions.into_iter().collect();
-        let functions = preprocess(
+        let mut functions = preprocess(
             self.files,
             &functions,
             &preprocess::Options::default(),
@@ -81,6 +81,10 @@ impl Text<'_> {
         let mut tokens = preprocessed.tokens;
         if let Some(plain) = &self.plain {
             tokens = plain.drop_given(tokens, &functions.names, self.preamble);
+        }
+        if self.pass.kind == PassKind::Image {
+            let is_bound = |channel: usize| self.pass.channels[channel].is_some();
+            tokens = bundle::unbundle(tokens, &mut functions.names, self.preamble, is_bound);
         }
         tokens.splice(0..0, functions.tokens);
         let tokens = &tokens;

@@ -117,6 +117,24 @@ fn a_pass_remembers_what_it_drew() {
 }
 
 #[test]
+fn a_discarded_texel_stays_what_it_was_two_frames_ago() {
+    let Some(gpu) = gpu() else { return };
+    let body = "if (iFrame > 1) discard; c = vec4(iFrame + 1);";
+    let session = open(
+        gpu,
+        &[
+            pass("A", body, json!([])),
+            pass("image", "c = at(iChannel0);", inputs("A", "nearest")),
+        ],
+    );
+    // The half that is drawn into is the one of the frame before the last: that of frame 0, then that of frame 1.
+    for (count, expected) in [(2, 2.0), (3, 1.0), (4, 2.0), (5, 1.0)] {
+        let shown = corner(&drawn(gpu, &session, &frames(count), &[SIZE]));
+        assert_eq!(shown[0], expected, "after {count} frames");
+    }
+}
+
+#[test]
 fn what_is_drawn_later_is_the_last_frames() {
     let Some(gpu) = gpu() else { return };
     // B comes first in the file, as on the site: its own letter does not matter.

@@ -133,6 +133,22 @@ fn a_sampler_of_the_authors_own_reads_the_first_channel() {
 }
 
 #[test]
+fn a_channels_structure_has_its_sampler_size_time_and_whether_it_is_loaded() {
+    assert_all_hold(
+        &[
+            "texelFetch(iCh0.sampler, ivec2(p), 0) == texelFetch(iChannel0, ivec2(p), 0)",
+            "textureSize(iCh0 . sampler, 0) == ivec2(256)",
+            "iCh0.size == vec3(256.0, 256.0, 1.0) && iCh0.size.xy == vec2(256.0)",
+            "iCh0.time == 0.0 && iCh3.time == 0.0",
+            "iCh0.loaded == 1 && iCh1.loaded == 0",
+            "iCh1.size == vec3(0.0)",
+            "texture(iCh2.sampler, vec2(0.5)) == vec4(0, 0, 0, 1)",
+        ],
+        "",
+    );
+}
+
+#[test]
 fn an_unbound_channel_reads_opaque_black_and_warns() {
     let Some(gpu) = gpu() else { return };
     let these = [

@@ -53,7 +53,9 @@ impl Builder<'_, '_> {
         let [mut left, mut right] = [left.value, right.value];
         let size = sizes[0].max(sizes[1]);
         let is_division = matches!(op, BinaryOp::Divide | BinaryOp::Remainder);
-        if is_division && scalar != Scalar::Float {
+        let is_division = is_division && scalar != Scalar::Float;
+        let may_be_zero = is_division && self.literals(right, sizes[1]).is_none();
+        if is_division {
             right = self.divisor(right, scalar, sizes[1], at);
         }
         // A vector may be scaled as it is, which also reads better. SPIR-V has the vector first then, and compilers go by the
@@ -70,8 +72,27 @@ impl Builder<'_, '_> {
         }
         match scalar {
             Scalar::Float => self.binary_of_floats(arithmetic(op), left, right, size),
+            _ if may_be_zero => self.division(op, left, right, scalar, size),
             _ => self.binary(arithmetic(op), left, right),
         }
+    }
+
+    /// An integer division or its remainder. By zero, which GLSL leaves open, it gives what Mesa's drivers do and
+    /// Direct3D demands of unsigned numbers: all bits, but 0 for a signed quotient.
+    fn division(&mut self, op: BinaryOp, left: H, right: H, scalar: Scalar, size: u8) -> H {
+        let result = self.binary(arithmetic(op), left, right);
+        let [zero, other] = [0, 1].map(|part| {
+            let value = match (part, op, scalar) {
+                (1, _, Scalar::Uint) => Literal::U32(u32::MAX),
+                (1, BinaryOp::Remainder, _) => Literal::I32(-1),
+                (_, _, Scalar::Uint) => Literal::U32(0),
+                _ => Literal::I32(0),
+            };
+            let value = self.literal(value);
+            self.splat(value, size)
+        });
+        let is_zero = self.binary(BinaryOperator::Equal, right, zero);
+        self.select(is_zero, other, result)
     }
 
     /// Whether a product is one with a constant that is to be computed component by component.

@@ -239,7 +239,7 @@ impl<'a> Lexer<'a> {
         if text.len() > MAX_SPELLING {
             findings.push(self.too_long(kind));
         }
-        names.intern(text)
+        names.intern_word(text)
     }
 
     /// The `?` in the place of the character just read.
