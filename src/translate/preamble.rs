@@ -120,16 +120,16 @@ pub(super) fn preamble(pass: &Pass, texts: &[&str], plain: Option<&Plain>) -> St
             writeln!(text, "uniform {};", uniform.declaration()).expect("strings take all text");
         }
     }
-    for channel in 0..CHANNELS {
+    for (channel, is_bundled) in bundles.into_iter().enumerate() {
         let sampler = pass.channels[channel]
             .as_ref()
             .map_or(SamplerKind::TwoD, |channel| channel.input.sampler())
             .glsl();
         let name = bindings::channel_name(channel);
-        if mentions(name) || bundles[channel] {
+        if mentions(name) || is_bundled {
             writeln!(text, "uniform {sampler} {name};").expect("strings take all text");
         }
-        if bundles[channel] {
+        if is_bundled {
             let bundle = bundle::name(channel);
             writeln!(
                 text,

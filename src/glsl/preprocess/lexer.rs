@@ -239,7 +239,10 @@ impl<'a> Lexer<'a> {
         if text.len() > MAX_SPELLING {
             findings.push(self.too_long(kind));
         }
-        names.intern_word(text)
+        match kind {
+            Kind::Punctuator => names.intern(text),
+            _ => names.intern_word(text),
+        }
     }
 
     /// The `?` in the place of the character just read.
