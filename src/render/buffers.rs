@@ -76,9 +76,38 @@ impl Surface {
 pub struct Buffers {
     size: UVec2,
     pairs: [Option<Pair>; Surface::ALL.len()],
+    /// For each pass what it draws.
+    draws: Vec<Option<Turn>>,
     /// What is bound for each pass that reads one, in even frames and in odd ones, for each face that it draws.
     groups: Vec<Option<[Vec<wgpu::BindGroup>; 2]>>,
     frames: u32,
+}
+
+/// When in a frame something is drawn or read of a buffer. Several passes may draw one, which then goes from half to half
+/// several times.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    surface: Surface,
+    /// How often it is drawn in a frame.
+    count: usize,
+    /// How often before this.
+    before: usize,
+}
+
+impl Turn {
+    fn new(passes: &[GpuPass], surface: Surface, place: usize) -> Self {
+        let is_drawn = |pass: &&GpuPass| pass.draws() == Some(surface);
+        Turn {
+            surface,
+            count: passes.iter().filter(is_drawn).count(),
+            before: passes[..place].iter().filter(is_drawn).count(),
+        }
+    }
+
+    /// The half that was drawn last; the other one is drawn into. `parity` is that of the frame.
+    fn latest(&self, parity: usize) -> usize {
+        (parity * self.count + self.before) % 2
+    }
 }
 
 /// The two halves of a buffer.
@@ -164,9 +193,12 @@ impl Buffers {
                 let halves = [(); 2].map(|()| Half::new(gpu, surface, size, levels));
                 Some(Pair { halves })
             });
+            let turn =
+                |(place, pass): (usize, &GpuPass)| Some(Turn::new(passes, pass.draws()?, place));
             let mut buffers = Buffers {
                 size,
                 pairs,
+                draws: passes.iter().enumerate().map(turn).collect(),
                 groups: Vec::new(),
                 frames: 0,
             };
@@ -176,8 +208,9 @@ impl Buffers {
                 .map(|(place, pass)| {
                     pass.reads().next()?;
                     Some([0, 1].map(|parity| {
-                        let view =
-                            |surface, filter| buffers.view(passes, surface, filter, place, parity);
+                        let view = |surface, filter| {
+                            buffers.view(Turn::new(passes, surface, place), filter, parity)
+                        };
                         pass.bind(gpu, &view)
                     }))
                 })
@@ -187,18 +220,9 @@ impl Buffers {
     }
 
     /// What a pass reads of a buffer: this frame's if that was drawn before it, else the last one's.
-    fn view(
-        &self,
-        passes: &[GpuPass],
-        surface: Surface,
-        filter: Filter,
-        place: usize,
-        parity: usize,
-    ) -> &wgpu::TextureView {
-        let writer = passes.iter().position(|pass| pass.draws() == Some(surface));
-        let is_fresh = writer.is_some_and(|writer| writer < place);
-        let pair = self.pairs[surface.index()].as_ref();
-        let half = &pair.expect("what is read is there").halves[parity ^ usize::from(is_fresh)];
+    fn view(&self, turn: Turn, filter: Filter, parity: usize) -> &wgpu::TextureView {
+        let pair = self.pairs[turn.surface.index()].as_ref();
+        let half = &pair.expect("what is read is there").halves[turn.latest(parity)];
         match filter {
             Filter::Mipmap => &half.whole,
             Filter::Nearest | Filter::Linear => &half.largest,
@@ -211,14 +235,20 @@ impl Buffers {
         Some(&groups[self.frames as usize % 2][face])
     }
 
-    /// What a pass draws into in the frame that is being drawn.
-    pub(super) fn target(&self, surface: Surface, face: usize) -> &wgpu::TextureView {
-        &self.drawn(surface).faces[face][0]
+    /// What a pass draws into in the frame that is being drawn; `None` is the picture.
+    pub(super) fn target(&self, place: usize, face: usize) -> Option<&wgpu::TextureView> {
+        let (_, half) = self.drawn(place)?;
+        Some(&half.faces[face][0])
     }
 
-    fn drawn(&self, surface: Surface) -> &Half {
-        let pair = self.pairs[surface.index()].as_ref();
-        &pair.expect("what is drawn is there").halves[1 - self.frames as usize % 2]
+    fn drawn(&self, place: usize) -> Option<(Surface, &Half)> {
+        let turn = self.draws[place]?;
+        let pair = self.pairs[turn.surface.index()].as_ref();
+        let half = 1 - turn.latest(self.frames as usize % 2);
+        Some((
+            turn.surface,
+            &pair.expect("what is drawn is there").halves[half],
+        ))
     }
 
     /// Makes the smaller levels of what a pass has drawn, if anyone reads them.
@@ -227,11 +257,13 @@ impl Buffers {
         gpu: &Gpu,
         mipmaps: &Mipmaps,
         encoder: &mut wgpu::CommandEncoder,
-        surface: Surface,
+        place: usize,
     ) {
-        let format = surface.format(gpu);
-        for levels in &self.drawn(surface).faces {
-            mipmaps.shrink(gpu, encoder, format, levels);
+        let Some((surface, half)) = self.drawn(place) else {
+            return;
+        };
+        for levels in &half.faces {
+            mipmaps.shrink(gpu, encoder, surface.format(gpu), levels);
         }
     }
 

@@ -254,18 +254,16 @@ impl Renderer {
             timestamps: slot.and_then(|slot| slot.timestamps(from.pass, from.row == 0, is_whole)),
         };
         let buffers = &canvas.buffers;
-        let view = match pass.draws() {
-            Some(surface) => buffers.target(surface, face as usize),
-            None => canvas.target.view(),
-        };
+        let target = buffers.target(from.pass, face as usize);
+        let view = target.unwrap_or(canvas.target.view());
         let group = buffers.group(from.pass, face as usize);
         pass.draw(gpu, input, encoder, view, group, band);
         if !is_whole {
             return Some(Cursor { row: end, ..from });
         }
-        if let Some(surface) = pass.draws() {
+        if pass.draws().is_some() {
             let textures = self.textures.lock().expect("no holder panics");
-            buffers.shrink(gpu, &textures.mipmaps, encoder, surface);
+            buffers.shrink(gpu, &textures.mipmaps, encoder, from.pass);
         }
         if !is_last {
             return Some(Cursor {

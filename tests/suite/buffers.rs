@@ -117,6 +117,28 @@ fn a_pass_remembers_what_it_drew() {
 }
 
 #[test]
+fn two_passes_that_draw_one_buffer_see_each_other() {
+    let Some(gpu) = gpu() else { return };
+    let add = |number: &str| {
+        let body = format!("c = at(iChannel0) + vec4({number}, 1, 0, 0);");
+        pass("A", &body, inputs("A", "nearest"))
+    };
+    let image = pass("image", "c = at(iChannel0);", inputs("A", "nearest"));
+    let session = open(gpu, &[add("10"), add("100"), image.clone()]);
+    for count in 1..5 {
+        let [sum, draws, ..] = corner(&drawn(gpu, &session, &frames(count), &[SIZE]));
+        let count = count as f32;
+        assert_eq!((sum, draws), (110.0 * count, 2.0 * count));
+    }
+    let session = open(gpu, &[add("1"), add("10"), add("100"), image]);
+    for count in 1..5 {
+        let [sum, draws, ..] = corner(&drawn(gpu, &session, &frames(count), &[SIZE]));
+        let count = count as f32;
+        assert_eq!((sum, draws), (111.0 * count, 3.0 * count));
+    }
+}
+
+#[test]
 fn a_discarded_texel_stays_what_it_was_two_frames_ago() {
     let Some(gpu) = gpu() else { return };
     let body = "if (iFrame > 1) discard; c = vec4(iFrame + 1);";
