@@ -62,6 +62,44 @@ fn expanded_arithmetic_takes_the_steps_of_compilers_of_glsl() {
     }
 }
 
+/// The forms round differently, and noise shows it.
+#[test]
+fn mix_has_the_forms_that_mesas_compiler_of_glsl_gives_it() {
+    let written = |expression: &str| {
+        let text = format!(
+            "void mainImage(out vec4 c, in vec2 p) {{ c = vec4({expression}, 0.0, 0.0, 0.0); }}"
+        );
+        wgsl(&text, Arithmetic::Expanded)
+    };
+    for (expression, expected) in [
+        ("mix(p.x, p.y, p.x)", "(p.x + (p.x * (p.y - p.x)))"),
+        ("mix(p.x, p.y, 0.25)", "((p.x * 0.75f) + (p.y * 0.25f))"),
+        ("mix(1.0, p.y, p.x)", "((1f * (1f - p.x)) + (p.y * p.x))"),
+        ("mix(p.x, 0.0, p.y)", "vec4<f32>((p.x * (1f - p.y)), 0f"),
+        ("mix(0.0, p.y, p.x)", "vec4<f32>((p.y * p.x), 0f"),
+        ("mix(0.5, 0.75, p.x)", "(0.5f + (p.x * 0.25f))"),
+        (
+            "mix(p.x, p.y, step(0.5, p.x))",
+            "select(p.x, p.y, (p.x >= 0.5f))",
+        ),
+        (
+            "mix(vec2(0.5), p, p.x).x",
+            "((0.5f * (1f - p.x)) + (p.x * p.x)), ((0.5f * (1f - p.x)) + (p.y * p.x))",
+        ),
+        ("mix(p, p.yx, p.x).x", "(p + (vec2(p.x) * (p.yx - p)))"),
+    ] {
+        let text = written(expression);
+        let line = text
+            .lines()
+            .find(|line| line.contains("(*c) = vec4<f32>(") && line.contains("p.x"));
+        let line = line.unwrap_or_else(|| panic!("no {expression} in {text}"));
+        assert!(
+            line.contains(expected),
+            "no `{expected}` for {expression} in {line}"
+        );
+    }
+}
+
 /// They are zero, but a compiler that knew would take a division by them for anything.
 #[test]
 fn uniforms_of_the_authors_own_are_read_at_run_time() {

@@ -78,24 +78,22 @@ impl Builder<'_, '_> {
             }
             _ => {}
         }
-        let one = self.float(1.0);
+        let is_one = |part| matches!(part, Known(1.0 | -1.0));
+        let is_strict = is_shared || is_one(from) || is_one(to);
         let rest = match share {
             Known(share) => self.float(self.context.options.precision.round(1.0 - share)),
-            Part::Of(..) => self.difference(one, t),
+            Part::Of(..) if is_strict || to == Known(0.0) => {
+                let one = self.float(1.0);
+                self.difference(one, t)
+            }
+            Part::Of(..) => return self.mix_fast(x, y, t),
         };
-        let is_one = |part| matches!(part, Known(1.0 | -1.0));
-        match (to, share) {
-            (Known(0.0), _) => self.product(x, rest),
-            (_, Known(_)) => self.mix_strict(x, y, t, rest),
-            _ if is_shared || is_one(from) || is_one(to) => self.mix_strict(x, y, t, rest),
-            _ => self.mix_fast(x, y, t),
+        let kept = self.product(x, rest);
+        if to == Known(0.0) {
+            return kept;
         }
-    }
-
-    /// With two products, which gives the ends exactly.
-    fn mix_strict(&mut self, from: H, to: H, share: H, rest: H) -> H {
-        let kept = self.product(from, rest);
-        let part = self.product(to, share);
+        // With two products it gives the ends exactly.
+        let part = self.product(y, t);
         self.sum(kept, part)
     }
 
