@@ -100,6 +100,30 @@ fn mix_has_the_forms_that_mesas_compiler_of_glsl_gives_it() {
     }
 }
 
+#[test]
+fn constants_of_a_chain_come_together_as_in_mesas_compiler_of_glsl() {
+    for (expression, expected) in [
+        ("p.x + 2.0 + p.y + 3.0", "((5f + p.y) + p.x)"),
+        ("(p.x * 2.0) * p.y * 3.0", "((6f * p.y) * p.x)"),
+        ("2.0 + (p.x + (p.y + 3.0))", "(p.y + (p.x + 5f))"),
+        // What stands on its own stays, and so does what another operator parts.
+        ("p.x + 2.0 + p.y", "((p.x + 2f) + p.y)"),
+        ("(p.x + 2.0) * 3.0", "((p.x + 2f) * 3f)"),
+    ] {
+        let text = format!(
+            "void mainImage(out vec4 c, in vec2 p) {{ c = vec4({expression}, 0.0, 0.0, 0.0); }}"
+        );
+        let expanded = wgsl(&text, Arithmetic::Expanded);
+        assert!(expanded.contains(expected), "no `{expected}` in {expanded}");
+        let compact = wgsl(&text, Arithmetic::Compact);
+        assert_eq!(
+            compact.contains(expected),
+            expected.starts_with("((p.x"),
+            "{compact}"
+        );
+    }
+}
+
 /// They are zero, but a compiler that knew would take a division by them for anything.
 #[test]
 fn uniforms_of_the_authors_own_are_read_at_run_time() {

@@ -50,6 +50,11 @@ impl Builder<'_, '_> {
                 let form = Form::Operator(op);
                 let types = [left, right].map(|operand| self.source.exprs[operand].ty);
                 let suspect = self.suspect(form, &types, ty, tree);
+                if suspect.is_none()
+                    && let Some(value) = self.chain(id)
+                {
+                    return value;
+                }
                 self.within(suspect, 0);
                 let left = self.typed(left);
                 self.within(suspect, 1);

@@ -8,6 +8,7 @@
 mod arithmetic;
 mod builtin;
 mod call;
+mod chain;
 mod constant;
 mod construct;
 mod context;
