@@ -147,6 +147,7 @@ fn ours(text: &Text, arithmetic: Arithmetic, times: &mut [Duration; 5]) -> bool 
             output: lower::Output::Colour,
             round_budget: None,
             round_limit: None,
+            low_samplers: false,
             checks: lower::Checks::None,
             interface: &bindings::INTERFACE,
             unit_0: None,

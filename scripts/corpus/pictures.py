@@ -34,6 +34,9 @@ def arguments():
     parser.add_argument(
         "--media", metavar="FOLDER", help="the media that the reference had; without one it had none"
     )
+    parser.add_argument(
+        "--lowp", action="store_true", help="read textures in 16 bits, as llvmpipe does"
+    )
     parser.add_argument("--adapter", default="cpu", help="the adapter to draw with")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="pictures at once")
     parser.add_argument("--timeout", type=float, default=120, help="seconds for one picture")
@@ -51,6 +54,8 @@ def draw(options, path, out, frame):
         command += ["--time", str(options.time)]
     if options.media:
         command += ["--media", options.media]
+    if options.lowp:
+        command.append("--lowp")
     command += ["--adapter", options.adapter, "--frame-timeout", str(options.timeout)]
     try:
         done = subprocess.run(

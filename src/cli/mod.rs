@@ -58,6 +58,10 @@ pub enum Command {
     Doctor,
 }
 
+#[cfg(feature = "gpu")]
+const LOWP_HELP: &str = "Round texels, and what is computed of texels and constants alone, to 16 bits, as Mesa's CPU driver \
+     does for WebGL: samplers are `lowp` there. Other GPUs of 16 bits, as in phones, are similar";
+
 const SCENE_HELP: &str = "A file of ShaderToy GLSL or JSON, a scene folder, a shader's id or address on shadertoy.com, \
      or `-` for standard input";
 
@@ -101,6 +105,8 @@ pub struct RunArgs {
     /// Begin without sound
     #[arg(long)]
     pub mute: bool,
+    #[arg(long, help = LOWP_HELP)]
+    pub lowp: bool,
     #[arg(long, help = SANITIZE_HELP)]
     pub sanitize: bool,
     #[command(flatten)]
@@ -165,6 +171,8 @@ pub struct ExportArgs {
     /// What to compute in
     #[arg(long, value_enum, default_value_t = Precision::F32)]
     pub precision: Precision,
+    #[arg(long, help = LOWP_HELP, conflicts_with = "precision")]
+    pub lowp: bool,
     #[arg(long, help = SANITIZE_HELP)]
     pub sanitize: bool,
     /// Write where the time went, as JSON

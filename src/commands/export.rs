@@ -44,6 +44,7 @@ pub fn export(args: ExportArgs, started: Instant) -> anyhow::Result<ExitCode> {
         options.precision = vitrine::translate::Precision::Double;
     }
     options.checks = checks(args.sanitize);
+    options.low_samplers = args.lowp;
     if args.sanitize && args.precision == Precision::F64 {
         return Err(failure(
             "`--sanitize` looks at what is computed in 32 bits",

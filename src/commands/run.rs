@@ -22,6 +22,7 @@ pub fn run(args: RunArgs) -> anyhow::Result<ExitCode> {
     };
     let translate = translate::Options {
         checks: checks(args.sanitize),
+        low_samplers: args.lowp,
         ..options(args.define)
     };
     let date = date(args.date.as_deref())?;

@@ -50,6 +50,9 @@ pub struct Options {
     pub round_budget: Option<u32>,
     /// How many rounds one run of such a loop may make at most.
     pub round_limit: Option<u32>,
+    /// Whether texels, and what is computed of them and constants alone, are rounded to 16 bits: samplers are `lowp`
+    /// unless the text says otherwise. A text with a sampler of `highp` is left alone, and so is double precision.
+    pub low_samplers: bool,
     /// What the program looks for while it runs.
     pub checks: Checks,
 }

@@ -154,6 +154,7 @@ impl Text<'_> {
                 output,
                 round_budget: options.round_budget,
                 round_limit: options.round_limit,
+                low_samplers: self.has_low_samplers(options),
                 interface: &bindings::INTERFACE,
                 unit_0: self.pass.channels[0].as_ref().map(|channel| {
                     match channel.input.sampler() {
@@ -216,6 +217,13 @@ impl Text<'_> {
             write::spirv(&program).map_err(|message| internal(&message))?;
         }
         Ok(program)
+    }
+
+    /// Whether what is read through samplers is to be rounded.
+    fn has_low_samplers(&self, options: &Options) -> bool {
+        options.low_samplers
+            && options.precision == Precision::Single
+            && !self.texts().contains("highp sampler")
     }
 
     /// What is given for a pixel, looked up by name.

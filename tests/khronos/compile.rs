@@ -63,6 +63,7 @@ pub fn compile(text: &str, uniforms: Vec<String>) -> Result<Lowered, Refusal> {
         output: lower::Output::Colour,
         round_budget: None,
         round_limit: None,
+        low_samplers: false,
         checks: lower::Checks::None,
         unit_0: None,
         interface: &Interface {

@@ -3,6 +3,8 @@
 use glam::UVec2;
 use vitrine::frame::{Clock, FrameInput, Keyboard};
 use vitrine::scene::{NOISE_SIZE, Source, noise_texture};
+use vitrine::session::{Session, Setup};
+use vitrine::translate::Options;
 
 use crate::support::{Folder, assert_claims, claims, draw, gpu, open, plain};
 
@@ -146,6 +148,31 @@ fn a_channels_structure_has_its_sampler_size_time_and_whether_it_is_loaded() {
         ],
         "",
     );
+}
+
+/// Texels are cut off to halves, what follows is rounded to them, and what no texel takes part in is left alone.
+#[test]
+fn samplers_of_low_precision_give_halves() {
+    let Some(gpu) = gpu() else { return };
+    let texel = noise_texture()[0];
+    let cut = (f32::from(texel) / 255.0).to_bits() & 0xffff_e000;
+    let these = [
+        &*format!("floatBitsToUint(texelFetch(iChannel0, ivec2(0), 0).x) == {cut}u"),
+        "halved(texelFetch(iChannel0, ivec2(0), 0) * 0.3)",
+        "halved(texelFetch(iChannel0, ivec2(5), 0) * 2.0 - texture(iChannel0, vec2(0.4)))",
+        "!halved(vec4(iResolution.x / 7.0))",
+        "!halved(texelFetch(iChannel0, ivec2(0), 0) / (iResolution.x + 2.1))",
+    ];
+    let ask = "bool halved(vec4 v) { return (floatBitsToUint(v.x) & 0x1fffu) == 0u; }\n";
+    let folder = noise_scene(&format!("{ask}{}", claims(&these)), "");
+    let setup = Setup::from(Options {
+        low_samplers: true,
+        ..Options::default()
+    });
+    let source = Source::Path(folder.path().to_owned());
+    let session = Session::open(gpu, &source, &setup).expect("a good scene");
+    let input = Clock::fixed(60.0).at(0, UVec2::new(these.len() as u32, 1));
+    assert_claims(&these, &draw(gpu, &session, &input));
 }
 
 #[test]

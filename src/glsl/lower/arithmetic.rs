@@ -20,7 +20,11 @@ impl Builder<'_, '_> {
         {
             return self.binary_by_component(op, left, right, size);
         }
-        self.add(Expression::Binary { op, left, right })
+        let value = self.add(Expression::Binary { op, left, right });
+        match op {
+            Add | Subtract | Multiply | Divide => self.rounded_if_low(value),
+            _ => value,
+        }
     }
 
     /// An operation on two operands of floats, each of this size.
@@ -58,8 +62,10 @@ impl Builder<'_, '_> {
     fn binary_by_component(&mut self, op: BinaryOperator, left: H, right: H, size: u8) -> H {
         let components = (0..size).map(|i| {
             let [left, right] = [left, right].map(|value| self.component(value, i));
-            self.neutral(op, left, right)
-                .unwrap_or_else(|| self.add(Expression::Binary { op, left, right }))
+            self.neutral(op, left, right).unwrap_or_else(|| {
+                let value = self.add(Expression::Binary { op, left, right });
+                self.rounded_if_low(value)
+            })
         });
         let components = components.collect();
         self.compose(Type::vector(Scalar::Float, size), components)

@@ -289,7 +289,7 @@ impl<'a> Context<'a> {
 }
 
 /// Whether a function reads through the sampler, rather than only the texture.
-fn samples(builtin: Builtin) -> bool {
+pub(super) fn samples(builtin: Builtin) -> bool {
     use Builtin as B;
     matches!(
         builtin,

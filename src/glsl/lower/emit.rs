@@ -205,13 +205,14 @@ impl Builder<'_, '_> {
 
     pub(super) fn math(&mut self, fun: MathFunction, operands: &[H]) -> H {
         let operand = |i| operands.get(i).copied();
-        self.add(Expression::Math {
+        let value = self.add(Expression::Math {
             fun,
             arg: operands[0],
             arg1: operand(1),
             arg2: operand(2),
             arg3: operand(3),
-        })
+        });
+        self.rounded_if_low(value)
     }
 
     /// Converts to so many bytes, or takes the bits as they are.

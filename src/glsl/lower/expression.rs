@@ -21,12 +21,12 @@ impl Builder<'_, '_> {
         let before = self.span;
         let extent = self.source.exprs[id].extent;
         self.span = self.span_of(extent);
-        let value = self.value_here(id);
+        let value = self.value_in_precision(id);
         self.span = before;
         value
     }
 
-    fn value_here(&mut self, id: Id<Expr>) -> H {
+    pub(super) fn value_here(&mut self, id: Id<Expr>) -> H {
         let Expr { kind, ty, extent } = self.source.exprs[id];
         let tree = self.tree.take();
         match kind {

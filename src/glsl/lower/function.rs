@@ -5,6 +5,7 @@ use rustc_hash::FxHashMap;
 
 use super::context::{Context, Nulls, is_pointer};
 use super::emit::Shared;
+use super::lowp::Needs;
 use super::range::Ranges;
 use super::sanitize::Here;
 use super::types::is_opaque;
@@ -36,6 +37,8 @@ pub(super) struct Builder<'c, 'a> {
     pub marks: FxHashMap<Id<hir::Local>, H>,
     /// The operation that the next value is an operand of, if that hands on what is not finite.
     pub tree: Option<Here>,
+    /// Whether what is computed at present is rounded to 16 bits.
+    pub is_low: bool,
     /// The loops that the present statement stands in.
     pub loops: Vec<&'a hir::Loop>,
     /// Whether a declaration may be jumped over by the statements that see it.
@@ -54,6 +57,8 @@ pub(super) struct Room {
     pub locals: Vec<Option<Local>>,
     /// Which of the source's expressions change anything, as far as has been asked.
     pub effects: Vec<Option<bool>>,
+    /// How precisely the source's expressions must be computed, as far as has been asked.
+    pub needs: Vec<Option<Needs>>,
 }
 
 /// What only the entry point has.
@@ -110,6 +115,8 @@ impl<'c, 'a> Builder<'c, 'a> {
         room.locals.resize(source.locals.len(), None);
         room.effects.clear();
         room.effects.resize(source.exprs.len(), None);
+        room.needs.clear();
+        room.needs.resize(source.exprs.len(), None);
         Builder {
             function: naga::Function {
                 name: Some(hir.names.text(source.name).to_owned()),
@@ -124,6 +131,7 @@ impl<'c, 'a> Builder<'c, 'a> {
             ranges: Ranges::default(),
             marks: FxHashMap::default(),
             tree: None,
+            is_low: false,
             loops: Vec::new(),
             in_arm: false,
             entry: None,

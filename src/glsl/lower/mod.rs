@@ -18,6 +18,7 @@ mod entry;
 mod expression;
 mod function;
 mod interface;
+mod lowp;
 mod matrix;
 mod mix;
 mod operator;
@@ -60,6 +61,8 @@ pub struct Options<'a> {
     /// How many rounds one run of such a loop may make at most. Some drivers end it there without a word;
     /// with this it is noted.
     pub round_limit: Option<u32>,
+    /// Whether texels, and what is computed of them and constants alone, are rounded to 16 bits (see `lowp.rs`).
+    pub low_samplers: bool,
     /// What the program looks for while it runs.
     pub checks: Checks,
     /// What the host binds.

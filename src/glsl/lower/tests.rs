@@ -75,6 +75,7 @@ fn lowered_with(hir: &Hir, precision: Precision, arithmetic: Arithmetic) -> (Low
         output: Output::Colour,
         round_budget: None,
         round_limit: None,
+        low_samplers: false,
         interface: &interface,
         unit_0: None,
         checks: Checks::None,

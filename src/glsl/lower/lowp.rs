@@ -1,0 +1,149 @@
+//! Texels in 16 bits. Samplers are `lowp` in GLSL ES unless a text says otherwise, and so are texels and what is computed of
+//! texels and constants alone (§4.5.2). GPUs of phones compute that in halves, and so does Mesa's driver on the CPU.
+
+use naga::MathFunction;
+
+use super::context::samples;
+use super::function::{Builder, H};
+use crate::glsl::arena::Id;
+use crate::glsl::builtins::Builtin;
+use crate::glsl::hir::{BinaryOp, Expr, ExprKind};
+use crate::glsl::types::{Scalar, Type};
+
+/// How precisely an expression must be computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Needs {
+    /// As its surroundings.
+    Nothing,
+    Low,
+    High,
+}
+
+impl Needs {
+    fn and(self, other: Needs) -> Needs {
+        match (self, other) {
+            (Needs::High, _) | (_, Needs::High) => Needs::High,
+            (Needs::Nothing, Needs::Nothing) => Needs::Nothing,
+            _ => Needs::Low,
+        }
+    }
+}
+
+impl Builder<'_, '_> {
+    /// Evaluates an expression, in 16 bits if that is enough and asked for.
+    pub(super) fn value_in_precision(&mut self, id: Id<Expr>) -> H {
+        if !self.context.options.low_samplers {
+            return self.value_here(id);
+        }
+        let Expr { kind, ty, .. } = self.source.exprs[id];
+        let (outside, own) = (self.is_low, self.needs(id));
+        let reads = is_read(kind);
+        self.is_low = own == Needs::Low && !reads;
+        let value = self.value_here(id);
+        self.is_low = outside;
+        let is_constant = matches!(kind, ExprKind::Constant(_)) && outside;
+        let is_float = ty.scalar() == Some(Scalar::Float) && ty.vector_size().is_some();
+        match is_float {
+            true if own == Needs::Low && reads => {
+                self.is_low = false;
+                let value = self.cut(value, ty);
+                self.is_low = outside;
+                value
+            }
+            true if is_constant => self.halved(value),
+            _ => value,
+        }
+    }
+
+    /// The result of an operation on floats, rounded if that is due.
+    pub(super) fn rounded_if_low(&mut self, value: H) -> H {
+        match self.is_low {
+            true => self.halved(value),
+            false => value,
+        }
+    }
+
+    /// A texel as a half, cut off towards zero as Mesa's driver does it.
+    fn cut(&mut self, value: H, ty: Type) -> H {
+        use naga::{BinaryOperator as Op, Expression, Literal, ScalarKind};
+        /// The largest half, the smallest normal one, and how many of the smallest there are in one.
+        const LIMITS: [f64; 4] = [65_504.0, 6.103_515_625e-5, 16_777_216.0, f32::MAX as f64];
+        let size = ty.vector_size().unwrap_or(1);
+        let [most, least, steps, finite] = LIMITS.map(|limit| self.constant_of(limit, ty));
+        let less = self.negate(most);
+        let within = self.math(MathFunction::Clamp, &[value, less, most]);
+        let mask = self.literal(Literal::U32(0xffff_e000));
+        let mask = self.splat(mask, size);
+        let [normal, odd] = [within, value].map(|value| {
+            let left = self.cast(value, ScalarKind::Uint, None);
+            let kept = self.add(Expression::Binary {
+                op: Op::And,
+                left,
+                right: mask,
+            });
+            self.cast(kept, ScalarKind::Float, None)
+        });
+        let scaled = self.product(value, steps);
+        let whole = self.math(MathFunction::Trunc, &[scaled]);
+        let small = self.quotient(whole, steps);
+        let far = self.math(MathFunction::Abs, &[value]);
+        let is_small = self.binary(Op::Less, far, least);
+        let is_finite = self.binary(Op::LessEqual, far, finite);
+        let kept = self.select(is_small, small, normal);
+        self.select(is_finite, kept, odd)
+    }
+
+    fn halved(&mut self, value: H) -> H {
+        self.add(naga::Expression::Math {
+            fun: MathFunction::QuantizeToF16,
+            arg: value,
+            arg1: None,
+            arg2: None,
+            arg3: None,
+        })
+    }
+
+    fn needs(&mut self, id: Id<Expr>) -> Needs {
+        if let Some(known) = self.room.needs[id.index()] {
+            return known;
+        }
+        let Expr { kind, ty, .. } = self.source.exprs[id];
+        let is_float = ty.scalar() == Some(Scalar::Float) && !ty.is_matrix() && !ty.is_array();
+        let found = match kind {
+            ExprKind::Constant(_) => Needs::Nothing,
+            _ if !is_float => Needs::High,
+            ExprKind::Builtin(..) if is_read(kind) => Needs::Low,
+            ExprKind::Builtin(
+                Builtin::DFdx | Builtin::DFdy | Builtin::Fwidth | Builtin::Modf,
+                _,
+            ) => Needs::High,
+            ExprKind::Swizzle(base, _) => self.needs(base),
+            ExprKind::Index(base, _) if self.source.exprs[base].ty.is_vector() => self.needs(base),
+            ExprKind::Unary(..)
+            | ExprKind::Binary(
+                BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply | BinaryOp::Divide,
+                ..,
+            )
+            | ExprKind::Construct(_)
+            | ExprKind::Builtin(..) => {
+                let mut all = Needs::Nothing;
+                let source = self.source;
+                source.for_each_operand(id, |operand| all = all.and(self.needs(operand)));
+                all
+            }
+            ExprKind::Ternary(_, yes, no) => self.needs(yes).and(self.needs(no)),
+            _ => Needs::High,
+        };
+        self.room.needs[id.index()] = Some(found);
+        found
+    }
+}
+
+fn is_read(kind: ExprKind) -> bool {
+    match kind {
+        ExprKind::Builtin(builtin, _) => {
+            samples(builtin) || matches!(builtin, Builtin::TexelFetch | Builtin::TexelFetchOffset)
+        }
+        _ => false,
+    }
+}
