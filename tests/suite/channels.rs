@@ -160,10 +160,14 @@ fn samplers_of_low_precision_give_halves() {
         &*format!("floatBitsToUint(texelFetch(iChannel0, ivec2(0), 0).x) == {cut}u"),
         "halved(texelFetch(iChannel0, ivec2(0), 0) * 0.3)",
         "halved(texelFetch(iChannel0, ivec2(5), 0) * 2.0 - texture(iChannel0, vec2(0.4)))",
-        "!halved(vec4(iResolution.x / 7.0))",
+        // Too small for a normal half: a multiple of the smallest. And constants are rounded before they are compared.
+        "tiny((texelFetch(iChannel0, ivec2(0), 0) * 0.00001).x)",
+        "texture(iChannel0, vec2(0.1)).x * 0.0 + 0.7998046875 == texture(iChannel0, vec2(0.1)).x * 0.0 + 0.8",
+        "!halved(vec4(iResolution.x / 7.3))",
         "!halved(texelFetch(iChannel0, ivec2(0), 0) / (iResolution.x + 2.1))",
     ];
-    let ask = "bool halved(vec4 v) { return (floatBitsToUint(v.x) & 0x1fffu) == 0u; }\n";
+    let ask = "bool halved(vec4 v) { return (floatBitsToUint(v.x) & 0x1fffu) == 0u; }\n\
+               bool tiny(float v) { return v != 0.0 && fract(v * 16777216.0) == 0.0; }\n";
     let folder = noise_scene(&format!("{ask}{}", claims(&these)), "");
     let setup = Setup::from(Options {
         low_samplers: true,

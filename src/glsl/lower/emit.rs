@@ -204,6 +204,9 @@ impl Builder<'_, '_> {
     }
 
     pub(super) fn math(&mut self, fun: MathFunction, operands: &[H]) -> H {
+        if fun == MathFunction::InverseSqrt && self.is_low {
+            return self.low_inverse_root(operands[0]);
+        }
         let operand = |i| operands.get(i).copied();
         let value = self.add(Expression::Math {
             fun,

@@ -36,7 +36,14 @@ impl Builder<'_, '_> {
             return self.value_here(id);
         }
         let Expr { kind, ty, .. } = self.source.exprs[id];
-        let (outside, own) = (self.is_low, self.needs(id));
+        let outside = self.is_low;
+        let own = match kind {
+            // Constants are rounded before they are compared with something low.
+            ExprKind::Binary(op, left, right) if is_comparison(op) => {
+                self.needs(left).and(self.needs(right))
+            }
+            _ => self.needs(id),
+        };
         let reads = is_read(kind);
         self.is_low = own == Needs::Low && !reads;
         let value = self.value_here(id);
@@ -93,14 +100,64 @@ impl Builder<'_, '_> {
         self.select(is_finite, kept, odd)
     }
 
+    /// A number as a half, rounded to the nearest. What is too small to be a normal one is a multiple of the smallest:
+    /// naga's operation makes it zero.
     fn halved(&mut self, value: H) -> H {
-        self.add(naga::Expression::Math {
-            fun: MathFunction::QuantizeToF16,
+        use naga::{BinaryOperator as Op, Expression};
+        let (outside, size) = (std::mem::take(&mut self.is_low), self.size_of(value));
+        let ty = Type::vector(Scalar::Float, size);
+        let math = |fun| Expression::Math {
+            fun,
             arg: value,
             arg1: None,
             arg2: None,
             arg3: None,
-        })
+        };
+        let normal = self.add(math(MathFunction::QuantizeToF16));
+        let far = self.add(math(MathFunction::Abs));
+        let [least, steps] =
+            [6.103_515_625e-5, 16_777_216.0].map(|limit| self.constant_of(limit, ty));
+        let scaled = self.product(value, steps);
+        let whole = self.math(MathFunction::Round, &[scaled]);
+        let small = self.quotient(whole, steps);
+        let is_small = self.binary(Op::Less, far, least);
+        let rounded = self.select(is_small, small, normal);
+        self.is_low = outside;
+        rounded
+    }
+
+    /// One divided by a root, both rounded.
+    pub(super) fn low_inverse_root(&mut self, value: H) -> H {
+        let ty = Type::vector(Scalar::Float, self.size_of(value));
+        let root = self.math(MathFunction::Sqrt, &[value]);
+        let one = self.constant_of(1.0, ty);
+        self.quotient(one, root)
+    }
+
+    /// How many components a number has that is computed of texels and constants.
+    fn size_of(&self, value: H) -> u8 {
+        use naga::{Expression as E, MathFunction as M, TypeInner};
+        let of_type = |ty| match self.context.module.types[ty].inner {
+            TypeInner::Vector { size, .. } => size as u8,
+            _ => 1,
+        };
+        match &self.function.expressions[value] {
+            E::Splat { size, .. } | E::Swizzle { size, .. } => *size as u8,
+            E::Compose { ty, .. } | E::ZeroValue(ty) => of_type(*ty),
+            E::Binary { left, right, .. } => self.size_of(*left).max(self.size_of(*right)),
+            E::Unary { expr, .. } | E::As { expr, .. } => self.size_of(*expr),
+            E::Select { accept, .. } => self.size_of(*accept),
+            E::Math {
+                fun: M::Dot | M::Length | M::Distance,
+                ..
+            } => 1,
+            E::Math { arg, .. } => self.size_of(*arg),
+            E::Load { pointer } => match self.function.expressions[*pointer] {
+                E::LocalVariable(local) => of_type(self.function.local_variables[local].ty),
+                _ => 1,
+            },
+            _ => 1,
+        }
     }
 
     fn needs(&mut self, id: Id<Expr>) -> Needs {
@@ -137,6 +194,14 @@ impl Builder<'_, '_> {
         self.room.needs[id.index()] = Some(found);
         found
     }
+}
+
+fn is_comparison(op: BinaryOp) -> bool {
+    use BinaryOp::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
+    matches!(
+        op,
+        Less | Greater | LessEqual | GreaterEqual | Equal | NotEqual
+    )
 }
 
 fn is_read(kind: ExprKind) -> bool {
