@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use super::file_kind::{FACES, face_of};
 use super::site::{Item, Kind};
 use super::{BufferLetter, CHANNELS, Channel, FileKind, Input, Media, PassKind, Sampling, Scene};
 use crate::source::{Diagnostic, Report};
@@ -146,17 +147,13 @@ fn input(what: &str, old: Option<&Input>) -> Result<Input, String> {
     })
 }
 
-/// The six pictures of which this is the first, if they are there: `sky.png`, `sky_1.png` to `sky_5.png`.
+/// The six pictures of which this is the first, if they are there.
 fn faces(first: &Path) -> Vec<PathBuf> {
-    let stem = first.file_stem().unwrap_or_default().to_string_lossy();
-    let ending = first.extension().unwrap_or_default().to_string_lossy();
-    let face = |number: u32| first.with_file_name(format!("{stem}_{number}.{ending}"));
-    let others: Vec<PathBuf> = (1..6).map(face).collect();
-    let mut faces = vec![first.to_owned()];
-    if others.iter().all(|path| path.is_file()) {
-        faces.extend(others);
+    let faces: Vec<PathBuf> = (0..FACES).map(|number| face_of(first, number)).collect();
+    match faces.iter().all(|path| path.is_file()) {
+        true => faces,
+        false => vec![first.to_owned()],
     }
-    faces
 }
 
 #[cfg(test)]

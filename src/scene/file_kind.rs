@@ -1,6 +1,6 @@
 //! The kinds of file that channels read.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::{Input, Media, site};
 
@@ -34,6 +34,19 @@ const ENDINGS: [(FileKind, &[&str]); 4] = [
     ),
     (FileKind::Volume, &["bin"]),
 ];
+
+/// A cubemap has as many.
+pub(super) const FACES: usize = 6;
+
+/// The picture of a cubemap's face, counted from 0, where the first one is this: `sky.png`, `sky_1.png` to `sky_5.png`.
+pub(super) fn face_of(first: &Path, number: usize) -> PathBuf {
+    if number == 0 {
+        return first.to_owned();
+    }
+    let stem = first.file_stem().unwrap_or_default().to_string_lossy();
+    let ending = first.extension().unwrap_or_default().to_string_lossy();
+    first.with_file_name(format!("{stem}_{number}.{ending}"))
+}
 
 impl FileKind {
     /// What a file is, by how its name ends.

@@ -37,7 +37,7 @@ use specialise::{Program, Show, Task, task};
 const STACK: usize = 64 << 20;
 
 #[test]
-#[ignore = "needs Khronos' tests: KHRONOS=/path/to/VK-GL-CTS/data/gles3/shaders"]
+#[ignore = "it needs Khronos' tests, which are not part of this repository: KHRONOS=/path/to/VK-GL-CTS/data/gles3/shaders"]
 fn khronos_shader_library() {
     let Some(folder) = std::env::var_os("KHRONOS").map(PathBuf::from) else {
         println!("skipped: set KHRONOS to the folder data/gles3/shaders of VK-GL-CTS");

@@ -223,15 +223,25 @@ fn music_is_a_spectrum_above_a_waveform_and_tells_how_far_it_has_played() {
     assert_claims(&these, &draw(gpu, &session, &input));
 }
 
+/// A white picture with this sound.
+fn with_sound(text: &str) -> Folder {
+    let image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }";
+    let folder = Folder::with("image.glsl", image);
+    folder.write("sound.glsl", text);
+    folder
+}
+
+/// All samples, left and right in turn.
+fn floats(wav: &mut hound::WavReader<impl std::io::Read>) -> Vec<f32> {
+    wav.samples()
+        .map(|sample| sample.expect("a float"))
+        .collect()
+}
+
 #[test]
 fn the_samples_of_a_sound_are_what_the_shader_computes() {
     let Some(_) = gpu() else { return };
-    let folder = Folder::with(
-        "image.glsl",
-        "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }",
-    );
-    folder.write(
-        "sound.glsl",
+    let folder = with_sound(
         "vec2 mainSound(int n, float t) {\n\
              if (n == 1000) return vec2(sqrt(t - 100.0), 0.5);\n\
              return vec2(float(n % 441) / 441.0, t / 10.0);\n\
@@ -243,10 +253,7 @@ fn the_samples_of_a_sound_are_what_the_shader_computes() {
         .says("1 samples are no numbers");
     let mut wav = hound::WavReader::open(folder.path().join("s.wav")).expect("a sound");
     assert_eq!((wav.spec().sample_rate, wav.spec().channels), (44_100, 2));
-    let samples: Vec<f32> = wav
-        .samples()
-        .map(|sample| sample.expect("a float"))
-        .collect();
+    let samples = floats(&mut wav);
     assert_eq!(samples.len(), 2 * 7 * 44_100);
     // Blocks meet at 262,144 samples.
     for n in [0_usize, 1, 440, 441, 999, 262_143, 262_144, 300_000] {
@@ -283,12 +290,7 @@ fn the_samples_of_a_sound_are_what_the_shader_computes() {
 #[test]
 fn a_sound_reads_pictures_and_no_keys() {
     let Some(_) = gpu() else { return };
-    let folder = Folder::with(
-        "image.glsl",
-        "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }",
-    );
-    folder.write(
-        "sound.glsl",
+    let folder = with_sound(
         "vec2 mainSound(int n, float t) {\n\
              return vec2(texelFetch(iChannel0, ivec2(1, 1), 0).x, texelFetch(iChannel1, ivec2(1, 1), 0).w / 2.0);\n\
          }",
@@ -303,10 +305,7 @@ fn a_sound_reads_pictures_and_no_keys() {
         .run("export . --sound s.wav --sound-format float --seconds 0.001")
         .exits(0);
     let mut wav = hound::WavReader::open(folder.path().join("s.wav")).expect("a sound");
-    let samples: Vec<f32> = wav
-        .samples()
-        .map(|sample| sample.expect("a float"))
-        .collect();
+    let samples = floats(&mut wav);
     assert!((samples[0] - 0.2).abs() < 1e-6, "{}", samples[0]);
     assert_eq!(samples[1], 0.5, "what is unbound is opaque black");
 }

@@ -96,7 +96,7 @@ fn described(error: &Diagnostic) -> String {
 }
 
 #[test]
-#[ignore = "it reports on the folder that VERDICTS names"]
+#[ignore = "it needs cases with a browser's verdicts, which are not part of this repository: VERDICTS=FOLDER"]
 fn verdicts_agree() {
     let Some(folder) = std::env::var_os("VERDICTS") else {
         println!("VERDICTS names no folder");

@@ -10,6 +10,15 @@ use crate::glsl::builtins::Builtin;
 use crate::glsl::hir::{BinaryOp, Expr, ExprKind};
 use crate::glsl::types::{Scalar, Type};
 
+/// The largest half.
+const LARGEST: f64 = 65_504.0;
+
+/// The smallest normal half, 2⁻¹⁴. Smaller ones are multiples of the smallest.
+const LEAST_NORMAL: f64 = 6.103_515_625e-5;
+
+/// How many of the smallest halves there are in one, 2²⁴.
+const STEPS: f64 = 16_777_216.0;
+
 /// How precisely an expression must be computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Needs {
@@ -73,10 +82,9 @@ impl Builder<'_, '_> {
     /// A texel as a half, cut off towards zero as Mesa's driver does it.
     fn cut(&mut self, value: H, ty: Type) -> H {
         use naga::{BinaryOperator as Op, Expression, Literal, ScalarKind};
-        /// The largest half, the smallest normal one, and how many of the smallest there are in one.
-        const LIMITS: [f64; 4] = [65_504.0, 6.103_515_625e-5, 16_777_216.0, f32::MAX as f64];
         let size = ty.vector_size().unwrap_or(1);
-        let [most, least, steps, finite] = LIMITS.map(|limit| self.constant_of(limit, ty));
+        let limits = [LARGEST, LEAST_NORMAL, STEPS, f64::from(f32::MAX)];
+        let [most, least, steps, finite] = limits.map(|limit| self.constant_of(limit, ty));
         let less = self.negate(most);
         let within = self.math(MathFunction::Clamp, &[value, less, most]);
         let mask = self.literal(Literal::U32(0xffff_e000));
@@ -115,8 +123,7 @@ impl Builder<'_, '_> {
         };
         let normal = self.add(math(MathFunction::QuantizeToF16));
         let far = self.add(math(MathFunction::Abs));
-        let [least, steps] =
-            [6.103_515_625e-5, 16_777_216.0].map(|limit| self.constant_of(limit, ty));
+        let [least, steps] = [LEAST_NORMAL, STEPS].map(|limit| self.constant_of(limit, ty));
         let scaled = self.product(value, steps);
         let whole = self.math(MathFunction::Round, &[scaled]);
         let small = self.quotient(whole, steps);

@@ -363,7 +363,7 @@ mod tests {
 
     /// Prints what a picture costs, and writes some to look at.
     #[test]
-    #[ignore = "for people"]
+    #[ignore = "it judges nothing: it writes pictures to look at into OUT, and prints what they cost"]
     fn look() {
         for (i, mut card) in all().into_iter().enumerate() {
             let start = std::time::Instant::now();

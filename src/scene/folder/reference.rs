@@ -5,14 +5,12 @@ use std::path::{Component, Path, PathBuf};
 
 use toml::Spanned;
 
+use super::super::file_kind::{FACES, face_of};
 use super::super::load::{Failure, Loading};
 use super::super::site::Item;
 use super::super::{FileKind, Input, Media};
 use super::manifest::MediaName;
 use crate::source::{Diagnostic, FileId, Span};
-
-/// A cubemap has as many.
-const FACES: usize = 6;
 
 /// Where names in a manifest lead.
 pub(super) struct References<'a> {
@@ -142,9 +140,7 @@ impl References<'_> {
         first: PathBuf,
         place: Range<usize>,
     ) -> Result<Media, Failure> {
-        let stem = first.file_stem().unwrap_or_default().to_string_lossy();
-        let ending = first.extension().unwrap_or_default().to_string_lossy();
-        let face = |number: usize| first.with_file_name(format!("{stem}_{number}.{ending}"));
+        let face = |number| face_of(&first, number);
         if !loading.is_file(&face(1)) {
             loading.depends_on(&face(1));
             return Ok(Media::Files(vec![first]));
