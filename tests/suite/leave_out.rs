@@ -179,3 +179,22 @@ fn inspect_tells_people_the_same() {
     assert!(used.contains("mapCanyon"), "{text}");
     assert!(left_out.contains("iMouse"), "{text}");
 }
+
+/// A pixel that is discarded leaves its loops, since graphics libraries may let it go on for its neighbours' sake. Programs
+/// without such a loop know nothing of it.
+#[test]
+fn only_loops_of_programs_that_discard_ask_whether_the_pixel_was() {
+    let count = |body: &str| {
+        let wgsl = vitrine("translate - --to wgsl").input(image(body)).run();
+        wgsl.exits(0).text().matches("discarded").count()
+    };
+    // Declared, set, read behind the round and before `continue`.
+    let body =
+        "for (; c.x < 9.0; c.x++) { if (p.x > 2.0) discard; if (p.y > 2.0) continue; c.y++; }";
+    assert_eq!(count(body), 4);
+    assert_eq!(count("if (p.x > 2.0) discard; c = vec4(1.0);"), 0);
+    assert_eq!(
+        count("while (c.x < 9.0) { if (p.x > 2.0) break; c.x += 1.0; }"),
+        0
+    );
+}

@@ -45,6 +45,8 @@ pub(super) struct Context<'a> {
     pub loops: Vec<(Extent, bool)>,
     /// What is given for a pixel instead of its colour.
     pub record: Record,
+    /// Whether the pixel has been discarded, if any loop asks.
+    pub discarded: Option<Handle<naga::GlobalVariable>>,
     /// What is looked at, and where findings are noted.
     pub sanitizer: Sanitizer,
     /// What the next function's builder begins with.
@@ -95,6 +97,7 @@ impl<'a> Context<'a> {
             unguarded: Unguarded::default(),
             loops: output::loops(hir, reachable),
             record: Record::default(),
+            discarded: None,
             sanitizer: Sanitizer::default(),
             room: Room::default(),
             operations: 0,
@@ -105,6 +108,7 @@ impl<'a> Context<'a> {
         }
         context.add_uniforms();
         context.add_record();
+        context.add_discarded();
         context.add_findings();
         for &id in &reachable.globals {
             context.add_global(id);

@@ -12,6 +12,7 @@ mod chain;
 mod constant;
 mod construct;
 mod context;
+mod discard;
 mod double;
 mod emit;
 mod entry;

@@ -100,8 +100,7 @@ impl<'a> Builder<'_, 'a> {
                 return true;
             }
             StmtKind::Discard => {
-                self.flush_findings();
-                self.push(Statement::Kill);
+                self.discard();
                 return true;
             }
         }
@@ -216,6 +215,7 @@ impl<'a> Builder<'_, 'a> {
         {
             self.branch(condition, |_| {}, |b| b.push(Statement::Break));
         }
+        self.leave_if_discarded();
     }
 
     fn condition(&mut self, source: &Loop) -> Option<H> {
