@@ -1,6 +1,9 @@
 //! What changes with time, as the renderer pulls it.
 
+use std::sync::Arc;
+
 use super::Format;
+use super::sound::Sound;
 
 /// Texels that change with time: a film, the spectrum of a sound.
 ///
@@ -23,6 +26,11 @@ pub trait Feed: Send + std::fmt::Debug {
     /// Pictures have their top row first, as files do. Of a sound, row 0 is the spectrum and row 1 the waveform: these
     /// are uploaded as they are, and never flipped.
     fn texels(&mut self, time: f64) -> Option<&[u8]>;
+
+    /// What is heard of it: from the scene's time 0 on, and again from the beginning behind its end.
+    fn sound(&self) -> Option<&Arc<Sound>> {
+        None
+    }
 }
 
 /// A time that can be computed with: from 0 to some ten thousand years.

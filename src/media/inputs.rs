@@ -1,5 +1,6 @@
 use std::sync::{Arc, Mutex};
 
+use super::sound::Sound;
 use super::{Feed, Texels};
 use crate::scene::CHANNELS;
 
@@ -28,6 +29,20 @@ impl Inputs {
     /// What a channel of a pass reads.
     pub fn of(&self, pass: usize, channel: usize) -> Option<&Content> {
         self.passes.get(pass)?[channel].as_ref()
+    }
+
+    /// What is heard of it all, each sound once.
+    pub fn sounds(&self) -> Vec<Arc<Sound>> {
+        let mut found: Vec<Arc<Sound>> = Vec::new();
+        for content in self.passes.iter().flatten().flatten() {
+            if let Content::Live(feed) = content
+                && let Some(sound) = feed.lock().expect("no holder panics").sound()
+                && !found.iter().any(|known| Arc::ptr_eq(known, sound))
+            {
+                found.push(Arc::clone(sound));
+            }
+        }
+        found
     }
 
     /// Keeps only the passes for which `keep` holds.

@@ -25,8 +25,8 @@ pub struct Library {
     /// The user's files, by the names that they answer to.
     files: HashMap<String, PathBuf>,
     stand_ins: StandIns,
-    /// What was loaded before, by what it was loaded from.
-    loaded: Mutex<Vec<(Key, Arc<Texels>)>>,
+    pictures: Memory<Texels>,
+    sounds: Memory<Sound>,
 }
 
 /// What is done about media that the user has no copy of.
@@ -41,11 +41,15 @@ pub enum StandIns {
     Kept(PathBuf),
 }
 
-/// What a loaded input was made of: its files, as they were then, or an item of the site's.
+/// What was loaded before, by what it was loaded from.
+#[derive(Debug)]
+struct Memory<T>(Mutex<Vec<(Key, Arc<T>)>>);
+
+/// What a loaded input was made of: its files, as they were then, or what it stands in for.
 #[derive(Clone, Debug, PartialEq)]
 enum Key {
     Noise,
-    StandIn(&'static str),
+    StandIn(String),
     Files(
         Vec<(PathBuf, Option<std::time::SystemTime>)>,
         Option<Format>,
@@ -91,7 +95,7 @@ impl Library {
         Ok(Library {
             files,
             stand_ins,
-            loaded: Mutex::default(),
+            ..Library::default()
         })
     }
 
@@ -124,11 +128,15 @@ impl Library {
                 .texels(input)
                 .map(|texels| Some(Content::Still(texels))),
             Input::Music(media) | Input::MusicStream(media) => {
-                let sound = match self.file(media) {
-                    Some(path) => Sound::open(&path)?,
-                    None => Sound::synthetic(&media.to_string()),
+                let sound = match self.recording(input)? {
+                    Some(sound) => sound,
+                    None => {
+                        let name = media.to_string();
+                        let key = Key::StandIn(name.clone());
+                        self.sounds.once(key, || Ok(Sound::synthetic(&name)))?
+                    }
                 };
-                Ok(Some(live(SoundFeed::music(Arc::new(sound)))))
+                Ok(Some(live(SoundFeed::music(sound))))
             }
             Input::Mic => Ok(Some(live(SoundFeed::microphone(Arc::new(Sound::murmur()))))),
             Input::Video(media) => Ok(Some(match self.file(media) {
@@ -140,6 +148,19 @@ impl Library {
             })),
             Input::Webcam => Ok(Some(live(TestCard::webcam()))),
         }
+    }
+
+    /// The music that an input names, as far as the user has it.
+    pub fn recording(&self, input: &Input) -> Result<Option<Arc<Sound>>, MediaError> {
+        let (Input::Music(media) | Input::MusicStream(media)) = input else {
+            return Ok(None);
+        };
+        let path = self.file(media);
+        path.map(|path| {
+            let key = Key::files(std::slice::from_ref(&path), None);
+            self.sounds.once(key, || Sound::open(&path))
+        })
+        .transpose()
     }
 
     /// The user's file for an input, if there is one.
@@ -154,7 +175,7 @@ impl Library {
     }
 
     /// Whether an input names something that the user has no copy of.
-    fn is_missing(&self, input: &Input) -> bool {
+    pub fn is_missing(&self, input: &Input) -> bool {
         match input.media() {
             Some(media) => self.file(media).is_none(),
             None => matches!(input, Input::Mic | Input::Webcam),
@@ -163,7 +184,7 @@ impl Library {
 
     fn texels(&self, input: &Input) -> Result<Arc<Texels>, MediaError> {
         match input {
-            Input::Noise => self.once(Key::Noise, || Ok(noise())),
+            Input::Noise => self.pictures.once(Key::Noise, || Ok(noise())),
             Input::Texture(media) | Input::Cubemap(media) | Input::Volume(media) => match media {
                 Media::Files(paths) => self.read(input, paths, None),
                 Media::Site { id, path } => {
@@ -185,7 +206,7 @@ impl Library {
         };
         match self.origin(item) {
             Origin::File(path) => self.read(input, &[path], format),
-            Origin::StandIn => self.once(Key::StandIn(item.id), || {
+            Origin::StandIn => self.pictures.once(Key::StandIn(item.id.to_owned()), || {
                 self.stand_in(item).ok_or_else(|| MediaError::Unknown {
                     name: item.name.to_owned(),
                 })
@@ -239,12 +260,7 @@ impl Library {
             (Input::Cubemap(_), [base]) => faces_beside(base).unwrap_or_else(|| paths.to_vec()),
             _ => paths.to_vec(),
         };
-        let changed = |path: &PathBuf| fs::metadata(path).and_then(|data| data.modified()).ok();
-        let key = paths
-            .iter()
-            .map(|path| (path.clone(), changed(path)))
-            .collect();
-        self.once(Key::Files(key, format), || {
+        self.pictures.once(Key::files(&paths, format), || {
             let pictures = || -> Result<Vec<Texels>, MediaError> {
                 paths
                     .iter()
@@ -266,23 +282,39 @@ impl Library {
             }
         })
     }
+}
 
+impl Key {
+    fn files(paths: &[PathBuf], format: Option<Format>) -> Key {
+        let changed = |path: &PathBuf| fs::metadata(path).and_then(|data| data.modified()).ok();
+        let files = paths.iter().map(|path| (path.clone(), changed(path)));
+        Key::Files(files.collect(), format)
+    }
+}
+
+impl<T> Default for Memory<T> {
+    fn default() -> Self {
+        Memory(Mutex::default())
+    }
+}
+
+impl<T> Memory<T> {
     /// Loads something, or hands out what was loaded before.
     fn once(
         &self,
         key: Key,
-        load: impl FnOnce() -> Result<Texels, MediaError>,
-    ) -> Result<Arc<Texels>, MediaError> {
-        let loaded = || self.loaded.lock().expect("no holder panics");
-        if let Some((_, texels)) = loaded().iter().find(|(known, _)| *known == key) {
-            return Ok(Arc::clone(texels));
+        load: impl FnOnce() -> Result<T, MediaError>,
+    ) -> Result<Arc<T>, MediaError> {
+        let loaded = || self.0.lock().expect("no holder panics");
+        if let Some((_, known)) = loaded().iter().find(|(known, _)| *known == key) {
+            return Ok(Arc::clone(known));
         }
-        let texels = Arc::new(load()?);
+        let new = Arc::new(load()?);
         let mut loaded = loaded();
-        // What no scene holds any more goes, so that reloads with ever other pictures do not fill the memory.
-        loaded.retain(|(_, texels)| Arc::strong_count(texels) > 1);
-        loaded.push((key, Arc::clone(&texels)));
-        Ok(texels)
+        // What no scene holds any more goes, so that reloads with ever other files do not fill the memory.
+        loaded.retain(|(_, held)| Arc::strong_count(held) > 1);
+        loaded.push((key, Arc::clone(&new)));
+        Ok(new)
     }
 }
 
@@ -425,4 +457,48 @@ fn unstacked(path: &Path, png: &[u8], item: &Item) -> Option<Texels> {
     let [width, height, depth] = size;
     (picture.size == [width, height * depth, 1] && picture.format == format)
         .then_some(Texels { size, ..picture })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_scene_holds_is_loaded_once_until_its_file_changes() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.wav");
+        let write = |length: u32| {
+            let spec = hound::WavSpec {
+                channels: 1,
+                sample_rate: 44_100,
+                bits_per_sample: 16,
+                sample_format: hound::SampleFormat::Int,
+            };
+            let mut writer = hound::WavWriter::create(&path, spec).unwrap();
+            (0..length).for_each(|_| writer.write_sample(0_i16).unwrap());
+            writer.finalize().unwrap();
+        };
+        let library = Library::default();
+        let input = Input::Music(Media::Files(vec![path.clone()]));
+        let load = || library.recording(&input).unwrap().expect("a file");
+        write(100);
+        let first = load();
+        assert!(Arc::ptr_eq(&first, &load()));
+
+        let change = |length: u32| {
+            write(length);
+            let seconds = std::time::Duration::from_secs(length.into());
+            let file = File::options().write(true).open(&path).unwrap();
+            file.set_modified(std::time::SystemTime::now() + seconds)
+                .unwrap();
+        };
+        change(200);
+        assert_eq!(load().frames().len(), 200);
+
+        // What nobody holds is forgotten when something else is loaded.
+        drop(first);
+        change(300);
+        load();
+        assert_eq!(library.sounds.0.lock().unwrap().len(), 1);
+    }
 }

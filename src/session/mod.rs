@@ -14,7 +14,9 @@ use std::time::{Duration, Instant};
 
 use crate::media::{Content, Inputs, Library, MediaError};
 use crate::render::{Format, Gpu, GpuError, Renderer};
-use crate::scene::{self, Binding, Input, LoadError, LoadErrorKind, Pass, PassKind, Scene, Source};
+use crate::scene::{
+    self, Binding, Channel, Input, LoadError, LoadErrorKind, Pass, PassKind, Scene, Source,
+};
 use crate::source::{Diagnostic, Report, Span};
 use crate::translate::{self, Arithmetic, Checks, Program};
 
@@ -188,6 +190,23 @@ impl Session {
     /// Whether the scene has a Sound pass, for which it was not opened.
     pub fn has_sound(&self) -> bool {
         self.left_out.contains(&PassKind::Sound)
+    }
+
+    /// Music of which the user has a file, on channels that nothing reads: it is there to be heard.
+    pub fn idle_music(&self) -> Vec<Input> {
+        let mut found = Vec::new();
+        for (place, pass) in self.scene.passes.iter().enumerate() {
+            for (index, channel) in pass.channels.iter().enumerate() {
+                if let Some(Channel { input, .. }) = channel
+                    && matches!(input, Input::Music(_) | Input::MusicStream(_))
+                    && self.inputs.of(place, index).is_none()
+                    && !self.setup.library.is_missing(input)
+                {
+                    found.push(input.clone());
+                }
+            }
+        }
+        found
     }
 
     /// Whether some pass reads the keyboard.

@@ -102,8 +102,7 @@ impl App {
             self.start_watching(&stage.session.scene.read);
         }
         let Options { source, setup, .. } = &self.options;
-        self.sound
-            .play(&stage.gpu, source, setup, stage.session.has_sound());
+        self.sound.play(&stage.gpu, &stage.session, source, setup);
         self.stage = Some(stage);
         Ok(())
     }
@@ -240,8 +239,7 @@ impl App {
         }
         if let Some(stage) = &mut self.stage {
             let Options { source, setup, .. } = &self.options;
-            self.sound
-                .play(&stage.gpu, source, setup, session.has_sound());
+            self.sound.play(&stage.gpu, &session, source, setup);
             stage.replace(session, reload)?;
         }
         Ok(())

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::render::Gpu;
 use crate::report;
 use crate::scene::Source;
-use crate::session::Setup;
+use crate::session::{Session, Setup};
 
 /// Plays nothing.
 pub(super) struct Sound;
@@ -16,8 +16,9 @@ impl Sound {
     }
 
     #[expect(clippy::unused_self, reason = "it stands in for what has a state")]
-    pub fn play(&mut self, _gpu: &Arc<Gpu>, _source: &Source, _setup: &Setup, has_sound: bool) {
-        if has_sound {
+    pub fn play(&mut self, _gpu: &Arc<Gpu>, session: &Session, _source: &Source, _setup: &Setup) {
+        let has_music = !session.inputs.sounds().is_empty() || !session.idle_music().is_empty();
+        if session.has_sound() || has_music {
             report::tell(
                 "the scene's sound is not heard: this program was built without the feature `sound`",
             );

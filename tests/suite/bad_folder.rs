@@ -65,6 +65,13 @@ fn a_missing_file() {
 }
 
 #[test]
+fn a_missing_file_of_the_customary_name() {
+    let manifest = "[image]\n[buffer_a]\niChannel0 = { buffer = \"A\" }\n";
+    let message = "there is no file `a/buffer_a.glsl`";
+    manifest_refused(manifest, "2:1", &[message]);
+}
+
+#[test]
 fn a_folder_for_a_file() {
     manifest_refused("[image]\nsource = \".\"\n", "2:10", &[]);
     manifest_refused("[image]\nsource = \"\"\n", "2:10", &[]);

@@ -25,7 +25,7 @@ const RULES: &[(&str, &str, &str)] = &[
     ("output", "frame", "exr glam hound image tempfile thiserror std::fs"),
     ("web", "output scene", "serde_json thiserror ureq std::fs"),
     ("export", "frame output render scene session source translate", "glam thiserror std::fs"),
-    ("window", "frame input_script output render report scene session source translate",
+    ("window", "frame input_script media output render report scene session source translate",
         "anstream arboard cpal glam notify winit"),
     ("cli", "", "clap"),
     ("commands", "cli config export frame input_script measure media output render report scene session source translate web window",

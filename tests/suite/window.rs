@@ -156,6 +156,63 @@ fn what_is_recorded_is_exported_as_it_was_seen() {
     );
 }
 
+/// A sound device that is a file: stereo, as floats.
+#[cfg(feature = "sound")]
+const DEVICE: &str = r#"
+    pcm.file { type file  file "heard.raw"  format "raw"  slave.pcm { type null } }
+    pcm.!default { type plug  slave { pcm "file"  format FLOAT_LE  channels 2 } }
+"#;
+
+#[cfg(feature = "sound")]
+#[test]
+fn sound_and_music_are_heard_together_until_they_are_muted() {
+    let Some(_) = gpu() else { return };
+    let Some(mut display) = Display::start() else {
+        return;
+    };
+    let folder = Folder::with("asound.conf", DEVICE);
+    // Nothing reads the music, which is heard all the same.
+    folder.write(
+        "s/image.glsl",
+        "void mainImage(out vec4 c, vec2 p) { c = vec4(1.0); }",
+    );
+    folder.write(
+        "s/sound.glsl",
+        "vec2 mainSound(int n, float t) { return vec2(0.25, -0.5); }",
+    );
+    folder.write(
+        "s/scene.toml",
+        "[image]\niChannel0 = { music = \"music.wav\" }\n[sound]",
+    );
+    let spec = hound::WavSpec {
+        channels: 2,
+        sample_rate: 44_100,
+        bits_per_sample: 32,
+        sample_format: hound::SampleFormat::Float,
+    };
+    let mut music = hound::WavWriter::create(folder.path().join("s/music.wav"), spec).unwrap();
+    for sample in [0.125_f32, 0.25].into_iter().cycle().take(1000) {
+        music.write_sample(sample).unwrap();
+    }
+    music.finalize().unwrap();
+    let heard = || {
+        let bytes = std::fs::read(folder.path().join("heard.raw")).unwrap_or_default();
+        let last = bytes.chunks_exact(8).last();
+        last.map(|frame| {
+            [0, 4].map(|at| f32::from_le_bytes(frame[at..at + 4].try_into().expect("four bytes")))
+        })
+    };
+
+    display.run(&folder, &["s"]);
+    display.until("both are heard", |_| heard() == Some([0.375, -0.25]));
+    display.press_key(0x6d);
+    display.until("nothing is heard", |_| heard() == Some([0.0, 0.0]));
+    display.press_key(ESCAPE);
+    let (code, log) = display.end();
+    assert_eq!(code, Some(0), "{log}");
+    assert!(log.contains("sound is off"), "{log}");
+}
+
 fn pixel(rgb: &[u8], x: u32, y: u32) -> &[u8] {
     let at = 3 * (y * WIDTH + x) as usize;
     &rgb[at..at + 3]
@@ -212,6 +269,7 @@ impl Display {
             .args(arguments)
             .current_dir(folder.path())
             .env("DISPLAY", &self.name)
+            .env("ALSA_CONFIG_PATH", folder.path().join("asound.conf"))
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("WAYLAND_SOCKET")
             .env("NO_COLOR", "1")

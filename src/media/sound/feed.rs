@@ -42,11 +42,6 @@ impl SoundFeed {
     pub fn open(path: &std::path::Path) -> Result<SoundFeed, MediaError> {
         Sound::open(path).map(|sound| SoundFeed::music(Arc::new(sound)))
     }
-
-    /// The sound, for whoever plays it.
-    pub fn sound(&self) -> &Arc<Sound> {
-        &self.sound
-    }
 }
 
 impl Feed for SoundFeed {
@@ -78,6 +73,11 @@ impl Feed for SoundFeed {
         self.shown = Some(number);
         Some(&self.bytes)
     }
+
+    fn sound(&self) -> Option<&Arc<Sound>> {
+        // A microphone is not played back.
+        self.is_recorded.then_some(&self.sound)
+    }
 }
 
 #[cfg(test)]
@@ -102,7 +102,10 @@ mod tests {
         let music = SoundFeed::music(Arc::clone(&sound));
         assert!((music.position(5.5) - 1.5).abs() < 1e-9);
         assert_eq!(music.position(-1.0), 0.0);
-        assert_eq!(SoundFeed::microphone(sound).position(5.5), 0.0);
+        assert!(music.sound().is_some());
+        let microphone = SoundFeed::microphone(sound);
+        assert_eq!(microphone.position(5.5), 0.0);
+        assert!(microphone.sound().is_none());
         let nothing = Arc::new(Sound::new(Vec::new()));
         assert_eq!(SoundFeed::music(nothing).position(5.5), 0.0);
     }

@@ -19,17 +19,17 @@ pub(super) struct Manifest {
     pub common: Vec<Spanned<String>>,
     /// In which order the buffers are drawn, if it is not that of the alphabet.
     pub order: Option<Spanned<Vec<Letter>>>,
-    pub buffer_a: Option<PassEntry>,
-    pub buffer_b: Option<PassEntry>,
-    pub buffer_c: Option<PassEntry>,
-    pub buffer_d: Option<PassEntry>,
-    pub cube_a: Option<PassEntry>,
-    pub sound: Option<PassEntry>,
-    pub image: PassEntry,
+    pub buffer_a: Option<Spanned<PassEntry>>,
+    pub buffer_b: Option<Spanned<PassEntry>>,
+    pub buffer_c: Option<Spanned<PassEntry>>,
+    pub buffer_d: Option<Spanned<PassEntry>>,
+    pub cube_a: Option<Spanned<PassEntry>>,
+    pub sound: Option<Spanned<PassEntry>>,
+    pub image: Spanned<PassEntry>,
 }
 
 impl Manifest {
-    pub fn pass(&self, kind: PassKind) -> Option<&PassEntry> {
+    pub fn pass(&self, kind: PassKind) -> Option<&Spanned<PassEntry>> {
         match kind {
             PassKind::Image => Some(&self.image),
             PassKind::Cube => self.cube_a.as_ref(),
@@ -64,7 +64,8 @@ impl Manifest {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct PassEntry {
-    pub source: Spanned<String>,
+    /// The file with its text, if that has not the customary name.
+    pub source: Option<Spanned<String>>,
     #[serde(rename = "iChannel0")]
     channel0: Option<Spanned<ChannelEntry>>,
     #[serde(rename = "iChannel1")]

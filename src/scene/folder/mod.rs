@@ -194,7 +194,12 @@ fn from_manifest(
     let kinds = kinds.chain([PassKind::Cube, PassKind::Image]);
     let mut passes = Vec::new();
     for (kind, entry) in kinds.filter_map(|kind| Some((kind, manifest.pass(kind)?))) {
-        let source = references.file(loading, entry.source.get_ref(), entry.source.span())?;
+        let place = entry.span();
+        let entry = entry.get_ref();
+        let source = match &entry.source {
+            Some(source) => references.file(loading, source.get_ref(), source.span())?,
+            None => references.file(loading, file_of(kind), place)?,
+        };
         let mut channels = [const { None }; CHANNELS];
         for (index, entry) in entry.channels().into_iter().enumerate() {
             let Some(entry) = entry else { continue };

@@ -1,4 +1,5 @@
-//! Plays the sound of scenes: a thread computes its samples on the GPU, a little ahead of what is heard.
+//! Plays the sound of scenes, and the music on their channels: a thread computes the samples of the sound on the GPU, a
+//! little ahead of what is heard.
 
 mod speaker;
 mod tape;
@@ -10,8 +11,8 @@ use std::time::Duration;
 
 use crate::render::Gpu;
 use crate::report;
-use crate::scene::Source;
-use crate::session::{OpenError, Setup, Track};
+use crate::scene::{Input, Source};
+use crate::session::{OpenError, Session, Setup, Track};
 use tape::Tape;
 
 /// How often the thread looks whether more samples are needed, which last for seconds.
@@ -35,11 +36,20 @@ impl Sound {
         }
     }
 
-    /// The scene has this sound from now on, or none.
-    pub fn play(&mut self, gpu: &Arc<Gpu>, source: &Source, setup: &Setup, has_sound: bool) {
+    /// What is heard from now on is this scene, opened from there.
+    pub fn play(&mut self, gpu: &Arc<Gpu>, session: &Session, source: &Source, setup: &Setup) {
         let number = self.current.fetch_add(1, Ordering::SeqCst) + 1;
-        if !has_sound {
-            lock(&self.tape).clear();
+        let (music, idle) = (session.inputs.sounds(), session.idle_music());
+        let is_silent = music.is_empty() && idle.is_empty() && !session.has_sound();
+        {
+            let mut tape = lock(&self.tape);
+            tape.set_music(music);
+            // The sound that was computed last goes on until the next is there.
+            if !session.has_sound() {
+                tape.clear();
+            }
+        }
+        if is_silent {
             return;
         }
         if self.stream.is_none() {
@@ -56,8 +66,14 @@ impl Sound {
             number,
             current: Arc::clone(&self.current),
         };
+        let has_sound = session.has_sound();
         let (source, setup) = (source.clone(), setup.clone());
-        thread::spawn(move || worker.compute(&source, &setup));
+        thread::spawn(move || {
+            worker.load(&idle, &setup);
+            if has_sound {
+                worker.compute(&source, &setup);
+            }
+        });
     }
 
     /// The picture is at this time, in seconds, and goes on or stands still.
@@ -77,7 +93,7 @@ impl Drop for Sound {
     }
 }
 
-/// Computes the samples of one scene.
+/// Loads and computes the samples of one scene.
 struct Worker {
     gpu: Arc<Gpu>,
     tape: Arc<Mutex<Tape>>,
@@ -88,6 +104,16 @@ struct Worker {
 impl Worker {
     fn is_current(&self) -> bool {
         self.current.load(Ordering::SeqCst) == self.number
+    }
+
+    fn load(&self, music: &[Input], setup: &Setup) {
+        for input in music {
+            match setup.library.recording(input) {
+                Ok(Some(sound)) if self.is_current() => lock(&self.tape).add_music(sound),
+                Ok(_) => {}
+                Err(error) => report::tell(format_args!("not heard: {error}")),
+            }
+        }
     }
 
     fn compute(&self, source: &Source, setup: &Setup) {

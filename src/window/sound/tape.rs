@@ -1,6 +1,9 @@
-//! The samples of a sound that are known so far, and where in them it plays.
+//! The samples of a sound that are known so far, music, and where in them it plays.
+
+use std::sync::Arc;
 
 use crate::frame::SAMPLE_RATE;
+use crate::media::sound::Sound;
 use crate::render::SOUND_BLOCK;
 use crate::session::Track;
 
@@ -18,6 +21,8 @@ const AHEAD: usize = 1;
 pub(super) struct Tape {
     /// Left and right, a block an entry, in the order of time; those that are not known yet are empty.
     blocks: Vec<Vec<[f32; 2]>>,
+    /// What plays along from the first sample on, and again behind its end.
+    music: Vec<Arc<Sound>>,
     /// The sample that plays next.
     at: f64,
     runs: bool,
@@ -30,6 +35,7 @@ impl Tape {
     pub fn new(is_muted: bool) -> Self {
         Tape {
             blocks: Vec::new(),
+            music: Vec::new(),
             at: 0.0,
             runs: false,
             is_muted,
@@ -47,6 +53,18 @@ impl Tape {
     /// There is no sound.
     pub fn clear(&mut self) {
         self.blocks.clear();
+    }
+
+    /// This music plays along from now on.
+    pub fn set_music(&mut self, music: Vec<Arc<Sound>>) {
+        self.music = music;
+    }
+
+    /// This does so too, unless it does already.
+    pub fn add_music(&mut self, sound: Arc<Sound>) {
+        if !self.music.iter().any(|known| Arc::ptr_eq(known, &sound)) {
+            self.music.push(sound);
+        }
     }
 
     /// The block that is needed next.
@@ -120,15 +138,19 @@ impl Tape {
         [0, 1].map(|ear| before[ear] + part * (behind[ear] - before[ear]))
     }
 
-    /// A sample; what is not known or behind the end is silent.
+    /// What sounds at a sample; what is not known of the scene's own sound or behind its end is silent.
     fn sample(&self, number: usize) -> [f32; 2] {
         let block = SOUND_BLOCK as usize;
-        if number as f64 >= Track::SECONDS * f64::from(SAMPLE_RATE) {
-            return [0.0; 2];
+        let is_over = number as f64 >= Track::SECONDS * f64::from(SAMPLE_RATE);
+        let known = self.blocks.get(number / block).filter(|_| !is_over);
+        let own = known.and_then(|samples| samples.get(number % block));
+        let music = self.music.iter().map(|sound| sound.frames());
+        let music = music.filter_map(|frames| frames.get(number.checked_rem(frames.len())?));
+        let mut sum = [0.0; 2];
+        for sample in own.into_iter().chain(music) {
+            sum = [0, 1].map(|ear| sum[ear] + sample[ear]);
         }
-        let known = self.blocks.get(number / block);
-        let sample = known.and_then(|samples| samples.get(number % block));
-        sample.copied().unwrap_or_default()
+        sum.map(|sample: f32| sample.clamp(-1.0, 1.0))
     }
 }
 
@@ -219,5 +241,22 @@ mod tests {
         let mut out = [1.0; 4];
         tape.fill(&mut out, 2, RATE);
         assert_eq!(out, [0.0; 4]);
+    }
+    #[test]
+    fn music_plays_along_and_begins_again_behind_its_end() {
+        let mut tape = running();
+        let music = |frames: &[[f32; 2]]| Arc::new(Sound::new(frames.to_vec()));
+        tape.set_music(vec![
+            music(&[[0.1, 0.0], [0.2, 0.5], [0.3, 1.0]]),
+            music(&[]),
+        ]);
+        tape.put(0, vec![[0.5, -0.25]; BLOCK]);
+        assert_eq!(tape.sample(3), [0.6, -0.25]);
+        assert_eq!(tape.sample(4), [0.7, 0.25]);
+        assert_eq!(tape.sample(5), [0.8, 0.75]);
+        // Behind the end of the sound it goes on, and nothing is louder than can be played.
+        assert_eq!(tape.sample(10_000_000_001), [0.3, 1.0]);
+        tape.set_music(vec![music(&[[0.75, -7.0]])]);
+        assert_eq!(tape.sample(0), [1.0, -1.0]);
     }
 }
