@@ -163,6 +163,9 @@ fn samplers_of_low_precision_give_halves() {
         // Too small for a normal half: a multiple of the smallest. And constants are rounded before they are compared.
         "tiny((texelFetch(iChannel0, ivec2(0), 0) * 0.00001).x)",
         "texture(iChannel0, vec2(0.1)).x * 0.0 + 0.7998046875 == texture(iChannel0, vec2(0.1)).x * 0.0 + 0.8",
+        "int(texelFetch(iChannel0, ivec2(0), 0).x * 0.0 + 40000.0) == 32767",
+        "ivec2(texelFetch(iChannel0, ivec2(0), 0).xy * 0.0 - 40000.0) == ivec2(-32768)",
+        "int(iResolution.y * 40000.0) == 40000",
         "!halved(vec4(iResolution.x / 7.3))",
         "!halved(texelFetch(iChannel0, ivec2(0), 0) / (iResolution.x + 2.1))",
     ];

@@ -1,5 +1,6 @@
 //! Texels in 16 bits. Samplers are `lowp` in GLSL ES unless a text says otherwise, and so are texels and what is computed of
-//! texels and constants alone (§4.5.2). GPUs of phones compute that in halves, and so does Mesa's driver on the CPU.
+//! texels and constants alone (§4.5.2). GPUs of phones compute that in halves, and so does Mesa's driver on the CPU. What
+//! becomes an integer has 16 bits then, too.
 
 use naga::MathFunction;
 
@@ -67,8 +68,30 @@ impl Builder<'_, '_> {
                 value
             }
             true if is_constant => self.halved(value),
+            false if self.is_conversion_to_low_int(kind, ty) => self.within_16_bits(value, ty),
             _ => value,
         }
+    }
+
+    /// Whether integers are made of what is computed in 16 bits: they have 16 bits themselves.
+    fn is_conversion_to_low_int(&mut self, kind: ExprKind, ty: Type) -> bool {
+        let ExprKind::Construct(operands) = kind else {
+            return false;
+        };
+        let source = self.source;
+        ty.scalar() == Some(Scalar::Int)
+            && matches!(source.operands.get(operands), &[only] if self.needs(only) == Needs::Low)
+    }
+
+    /// The nearest integer of 16 bits.
+    fn within_16_bits(&mut self, value: H, ty: Type) -> H {
+        let size = ty.vector_size().unwrap_or(1);
+        let limits = [i16::MIN, i16::MAX];
+        let [least, most] = limits.map(|limit| {
+            let limit = self.int(limit.into());
+            self.splat(limit, size)
+        });
+        self.math(MathFunction::Clamp, &[value, least, most])
     }
 
     /// The result of an operation on floats, rounded if that is due.
