@@ -159,19 +159,35 @@ fn samplers_of_low_precision_give_halves() {
     let these = [
         &*format!("floatBitsToUint(texelFetch(iChannel0, ivec2(0), 0).x) == {cut}u"),
         "halved(texelFetch(iChannel0, ivec2(0), 0) * 0.3)",
+        "halved(changed(texelFetch(iChannel0, ivec2(0), 0)))",
+        "halved(declared())",
         "halved(texelFetch(iChannel0, ivec2(5), 0) * 2.0 - texture(iChannel0, vec2(0.4)))",
         // Too small for a normal half: a multiple of the smallest. And constants are rounded before they are compared.
         "tiny((texelFetch(iChannel0, ivec2(0), 0) * 0.00001).x)",
         "texture(iChannel0, vec2(0.1)).x * 0.0 + 0.7998046875 == texture(iChannel0, vec2(0.1)).x * 0.0 + 0.8",
+        // The bits of integers: of what is no number as well, which becomes quiet.
+        "floatBitsToUint(texelFetch(iChannel1, ivec2(0), 0)) == uvec4(0x7fc12000u, 0xffc00000u, 0x7f800000u, 0u)",
         "int(texelFetch(iChannel0, ivec2(0), 0).x * 0.0 + 40000.0) == 32767",
         "ivec2(texelFetch(iChannel0, ivec2(0), 0).xy * 0.0 - 40000.0) == ivec2(-32768)",
         "int(iResolution.y * 40000.0) == 40000",
         "!halved(vec4(iResolution.x / 7.3))",
         "!halved(texelFetch(iChannel0, ivec2(0), 0) / (iResolution.x + 2.1))",
     ];
-    let ask = "bool halved(vec4 v) { return (floatBitsToUint(v.x) & 0x1fffu) == 0u; }\n\
+    let ask = "vec4 changed(vec4 v) { v.y += 1.0; return v; }\n\
+               vec4 declared() { vec4 v = texelFetch(iChannel0, ivec2(0), 0); v.y += 0.1; return v; }\n\
+               bool halved(vec4 v) { return (floatBitsToUint(v.x) & 0x1fffu) == 0u; }\n\
                bool tiny(float v) { return v != 0.0 && fract(v * 16777216.0) == 0.0; }\n";
-    let folder = noise_scene(&format!("{ask}{}", claims(&these)), "");
+    let folder = Folder::with("image.glsl", format!("{ask}{}", claims(&these)));
+    folder.write(
+        "scene.toml",
+        "[image]\niChannel0 = { procedural = \"noise\" }\niChannel1 = { buffer = \"A\" }\n[buffer_a]\n",
+    );
+    folder.write(
+        "buffer_a.glsl",
+        "void mainImage(out vec4 o, vec2 p) {
+            o = uintBitsToFloat(uvec4(0x7f812345u, 0xffc00001u, 0x7f800000u, 0x12345u));
+        }",
+    );
     let setup = Setup::from(Options {
         low_samplers: true,
         ..Options::default()

@@ -197,8 +197,15 @@ impl Builder<'_, '_> {
             }
             _ => self.difference(high, low),
         };
-        let t = self.quotient(above, width);
         let [zero, one] = [0.0, 1.0].map(|value| self.constant_of(value, ty));
+        let mut t = self.quotient(above, width);
+        // Between equal edges it is a step. Some drivers make anything of it where they see the zero.
+        if self.is_expanded() && self.known(width).is_none() {
+            let infinity = self.constant_of(f64::INFINITY, ty);
+            let far = self.product(above, infinity);
+            let is_step = self.binary(BinaryOperator::Equal, width, zero);
+            t = self.select(is_step, far, t);
+        }
         let t = self.math(M::Clamp, &[t, zero, one]);
         let [two, three] = [2.0, 3.0].map(|value| self.constant_of(value, ty));
         let twice = self.product(two, t);
@@ -346,16 +353,21 @@ impl Builder<'_, '_> {
             return self.classify_double(builtin, value, ty);
         }
         let size = ty.vector_size().expect("it is a scalar or a vector");
+        let op = match builtin {
+            B::IsNan => BinaryOperator::Greater,
+            _ => BinaryOperator::Equal,
+        };
+        self.holds_of_infinity(op, value, size)
+    }
+
+    /// How the bits of a float's magnitude, as a number, compare with those of infinity.
+    pub(super) fn holds_of_infinity(&mut self, op: BinaryOperator, value: H, size: u8) -> H {
         let bits = self.cast(value, ScalarKind::Uint, None);
         let [mask, infinity] = [0x7fff_ffff, 0x7f80_0000].map(|bits| {
             let bits = self.uint(bits);
             self.splat(bits, size)
         });
         let magnitude = self.binary(BinaryOperator::And, bits, mask);
-        let op = match builtin {
-            B::IsNan => BinaryOperator::Greater,
-            _ => BinaryOperator::Equal,
-        };
         self.binary(op, magnitude, infinity)
     }
 

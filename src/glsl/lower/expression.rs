@@ -209,11 +209,11 @@ impl Builder<'_, '_> {
                 self.effect(first);
                 self.evaluate_into(second, pointer);
             }
-            ExprKind::Constant(constant) => {
+            ExprKind::Constant(constant) if !self.is_low => {
                 self.store_constant(pointer, Part::whole(constant), ty);
             }
             _ => {
-                let value = self.value_here(id);
+                let value = self.value_in_precision(id);
                 self.store(pointer, value);
             }
         }

@@ -20,6 +20,9 @@ const LEAST_NORMAL: f64 = 6.103_515_625e-5;
 /// How many of the smallest halves there are in one, 2²⁴.
 const STEPS: f64 = 16_777_216.0;
 
+/// The bit that makes a NaN quiet.
+const QUIET: u32 = 0x0040_0000;
+
 /// How precisely an expression must be computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Needs {
@@ -102,25 +105,27 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// A texel as a half, cut off towards zero as Mesa's driver does it.
+    /// A texel as a half, cut off towards zero as Mesa's driver does it. What is no number becomes a quiet one: texels hold
+    /// the bits of integers sometimes.
     fn cut(&mut self, value: H, ty: Type) -> H {
-        use naga::{BinaryOperator as Op, Expression, Literal, ScalarKind};
+        use naga::{BinaryOperator as Op, ScalarKind};
         let size = ty.vector_size().unwrap_or(1);
         let limits = [LARGEST, LEAST_NORMAL, STEPS, f64::from(f32::MAX)];
         let [most, least, steps, finite] = limits.map(|limit| self.constant_of(limit, ty));
         let less = self.negate(most);
         let within = self.math(MathFunction::Clamp, &[value, less, most]);
-        let mask = self.literal(Literal::U32(0xffff_e000));
-        let mask = self.splat(mask, size);
-        let [normal, odd] = [within, value].map(|value| {
-            let left = self.cast(value, ScalarKind::Uint, None);
-            let kept = self.add(Expression::Binary {
-                op: Op::And,
-                left,
-                right: mask,
-            });
-            self.cast(kept, ScalarKind::Float, None)
+        let [mask, quiet] = [0xffff_e000, QUIET].map(|bits| {
+            let bits = self.uint(bits);
+            self.splat(bits, size)
         });
+        let [normal, infinite] = [within, value].map(|value| {
+            let bits = self.cast(value, ScalarKind::Uint, None);
+            self.binary(Op::And, bits, mask)
+        });
+        let nan = self.binary(Op::InclusiveOr, infinite, quiet);
+        let is_nan = self.holds_of_infinity(Op::Greater, value, size);
+        let odd = self.select(is_nan, nan, infinite);
+        let [normal, odd] = [normal, odd].map(|bits| self.cast(bits, ScalarKind::Float, None));
         let scaled = self.product(value, steps);
         let whole = self.math(MathFunction::Trunc, &[scaled]);
         let small = self.quotient(whole, steps);
