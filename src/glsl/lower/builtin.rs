@@ -199,9 +199,10 @@ impl Builder<'_, '_> {
         };
         let [zero, one] = [0.0, 1.0].map(|value| self.constant_of(value, ty));
         let mut t = self.quotient(above, width);
-        // Between equal edges it is a step. Some drivers make anything of it where they see the zero.
-        if self.is_expanded() && self.known(width).is_none() {
-            let infinity = self.constant_of(f64::INFINITY, ty);
+        // Between equal edges it is a step. Some drivers make anything of the division where they see the zero.
+        let is_single = self.context.options.precision == Precision::Single;
+        if is_single && self.is_expanded() && self.known(width).is_none() {
+            let infinity = self.signed_infinity(width, ty);
             let far = self.product(above, infinity);
             let is_step = self.binary(BinaryOperator::Equal, width, zero);
             t = self.select(is_step, far, t);
@@ -212,6 +213,19 @@ impl Builder<'_, '_> {
         let rest = self.difference(three, twice);
         let once = self.product(t, rest);
         self.product(t, once)
+    }
+
+    /// What one divided by a zero is: infinity with its sign.
+    fn signed_infinity(&mut self, zero: H, ty: Type) -> H {
+        let size = ty.vector_size().expect("it is a scalar or a vector");
+        let [sign, infinity] = [0x8000_0000, 0x7f80_0000].map(|bits| {
+            let bits = self.uint(bits);
+            self.splat(bits, size)
+        });
+        let bits = self.cast(zero, ScalarKind::Uint, None);
+        let sign = self.binary(BinaryOperator::And, bits, sign);
+        let bits = self.binary(BinaryOperator::InclusiveOr, sign, infinity);
+        self.cast(bits, ScalarKind::Float, None)
     }
 
     /// The functions that drivers have for 32 bits only.
