@@ -137,3 +137,28 @@ fn uniforms_of_the_authors_own_are_read_at_run_time() {
     assert!(text.contains("uniforms.speed"), "{text}");
     assert!(!text.contains("unused") && !text.contains("huge"), "{text}");
 }
+
+/// A product of matrices that a vector stands behind is never computed: that takes twice as many steps or more.
+#[test]
+fn a_vector_is_transformed_by_one_matrix_after_the_other() {
+    let text = |product: &str| {
+        format!(
+            "void mainImage(out vec4 color, in vec2 at) {{
+                mat4 a = mat4(at.x), b = mat4(at.y), c = mat4(at.xyxy, at.yxyx, at.xxyy, at.yyxx);
+                color = {product};
+            }}"
+        )
+    };
+    let expanded = |product: &str| wgsl(&text(product), Arithmetic::Expanded);
+    let expected = expanded("a * (b * (c * vec4(at, 0.1, 1.0)))");
+    for product in [
+        "a * b * c * vec4(at, 0.1, 1.0)",
+        "a * (b * c) * vec4(at, 0.1, 1.0)",
+    ] {
+        assert_eq!(expanded(product), expected, "{product}");
+    }
+    assert_ne!(
+        expanded("vec4(at, 0.1, 1.0) * (a * b)"),
+        expanded("vec4(at, 0.1, 1.0) * a * b")
+    );
+}

@@ -51,7 +51,7 @@ impl Builder<'_, '_> {
                 let types = [left, right].map(|operand| self.source.exprs[operand].ty);
                 let suspect = self.suspect(form, &types, ty, tree);
                 if suspect.is_none()
-                    && let Some(value) = self.chain(id)
+                    && let Some(value) = self.chain(id).or_else(|| self.transformed(id))
                 {
                     return value;
                 }

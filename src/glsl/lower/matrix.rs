@@ -4,9 +4,59 @@ use naga::{BinaryOperator, MathFunction};
 
 use super::expression::Typed;
 use super::function::{Builder, H};
+use crate::glsl::Arithmetic;
+use crate::glsl::arena::Id;
+use crate::glsl::hir::{BinaryOp, Expr, ExprKind};
 use crate::glsl::types::{Base, Scalar, Type};
 
 impl Builder<'_, '_> {
+    /// A vector under a product of matrices: it is transformed by one after the other, as Mesa's compiler of GLSL has it
+    /// (`opt_algebraic`). That costs less than multiplying the matrices, and rounds differently.
+    pub(super) fn transformed(&mut self, id: Id<Expr>) -> Option<H> {
+        let ExprKind::Binary(BinaryOp::Multiply, product, vector) = self.source.exprs[id].kind
+        else {
+            return None;
+        };
+        let is_expanded = self.context.options.arithmetic == Arithmetic::Expanded;
+        if !is_expanded || !self.source.exprs[vector].ty.is_vector() {
+            return None;
+        }
+        let matrices = self.factors(product);
+        if matrices.len() < 2 || self.has_effect(id) {
+            return None;
+        }
+        let vector = self.typed(vector);
+        let transformed = matrices.into_iter().rev().fold(vector, |vector, matrix| {
+            let matrix = self.typed(matrix);
+            let (_, rows) = sides(matrix.ty);
+            Typed {
+                value: self.matrix_product(matrix, vector),
+                ty: Type::vector(Scalar::Float, rows),
+            }
+        });
+        Some(transformed.value)
+    }
+
+    /// The matrices that a product is of, from left to right.
+    fn factors(&self, product: Id<Expr>) -> Vec<Id<Expr>> {
+        let (mut open, mut found) = (vec![product], Vec::new());
+        while let Some(id) = open.pop() {
+            let Expr { kind, ty, .. } = self.source.exprs[id];
+            match kind {
+                ExprKind::Binary(BinaryOp::Multiply, left, right)
+                    if [left, right]
+                        .iter()
+                        .all(|&side| self.source.exprs[side].ty.is_matrix()) =>
+                {
+                    open.extend([right, left]);
+                }
+                _ if ty.is_matrix() => found.push(id),
+                _ => {}
+            }
+        }
+        found
+    }
+
     /// Arithmetic in which one operand at least is a matrix.
     pub(super) fn matrix_arithmetic(&mut self, op: BinaryOperator, left: Typed, right: Typed) -> H {
         let both = left.ty.is_matrix() && right.ty.is_matrix();
