@@ -111,7 +111,9 @@ impl Worker {
             match setup.library.recording(input) {
                 Ok(Some(sound)) if self.is_current() => lock(&self.tape).add_music(sound),
                 Ok(_) => {}
-                Err(error) => report::tell(format_args!("not heard: {error}")),
+                Err(error) => {
+                    report::tell(format_args!("the scene's music is not heard: {error}"));
+                }
             }
         }
     }
