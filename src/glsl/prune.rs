@@ -55,6 +55,26 @@ impl Reachable {
         let rows = self.rows.iter().map(|&row| self.expressions.get(row));
         self.functions.iter().copied().zip(rows)
     }
+
+    /// Every statement of the functions and of [`Hir::initialisers`], in no order.
+    pub fn statements<'a>(&self, hir: &'a Hir) -> impl Iterator<Item = &'a Stmt> + use<'a> {
+        let functions = self.functions.iter().chain(&hir.initialisers);
+        let bodies = functions.flat_map(|&id| &hir.functions[id].body);
+        let mut open: Vec<&Stmt> = bodies.collect();
+        std::iter::from_fn(move || {
+            let stmt = open.pop()?;
+            match &stmt.kind {
+                StmtKind::Block(body) => open.extend(body),
+                StmtKind::If(_, accept, reject) => open.extend(accept.iter().chain(reject)),
+                StmtKind::Switch(switch) => {
+                    open.extend(switch.arms.iter().flat_map(|arm| &arm.body));
+                }
+                StmtKind::Loop(inner) => open.extend(&inner.body),
+                _ => {}
+            }
+            Some(stmt)
+        })
+    }
 }
 
 struct Search<'a> {

@@ -464,41 +464,27 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_scene_holds_is_loaded_once_until_its_file_changes() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.wav");
-        let write = |length: u32| {
-            let spec = hound::WavSpec {
-                channels: 1,
-                sample_rate: 44_100,
-                bits_per_sample: 16,
-                sample_format: hound::SampleFormat::Int,
-            };
-            let mut writer = hound::WavWriter::create(&path, spec).unwrap();
-            (0..length).for_each(|_| writer.write_sample(0_i16).unwrap());
-            writer.finalize().unwrap();
+    fn what_a_scene_holds_is_loaded_once_and_what_none_holds_is_forgotten() {
+        let memory = Memory::default();
+        let load = |name: &str| {
+            let key = Key::StandIn(name.to_owned());
+            memory.once(key, || Ok(name.to_owned())).unwrap()
         };
-        let library = Library::default();
-        let input = Input::Music(Media::Files(vec![path.clone()]));
-        let load = || library.recording(&input).unwrap().expect("a file");
-        write(100);
-        let first = load();
-        assert!(Arc::ptr_eq(&first, &load()));
-
-        let change = |length: u32| {
-            write(length);
-            let seconds = std::time::Duration::from_secs(length.into());
-            let file = File::options().write(true).open(&path).unwrap();
-            file.set_modified(std::time::SystemTime::now() + seconds)
-                .unwrap();
-        };
-        change(200);
-        assert_eq!(load().frames().len(), 200);
-
-        // What nobody holds is forgotten when something else is loaded.
+        let first = load("first");
+        assert!(Arc::ptr_eq(&first, &load("first")));
         drop(first);
-        change(300);
-        load();
-        assert_eq!(library.sounds.0.lock().unwrap().len(), 1);
+        assert_eq!(*load("second"), "second");
+        assert_eq!(memory.0.lock().unwrap().len(), 1);
+    }
+
+    #[test]
+    fn a_file_that_has_changed_is_another() {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        let key = || Key::files(&[file.path().to_owned()], None);
+        let before = key();
+        assert_eq!(key(), before);
+        let later = std::time::SystemTime::now() + std::time::Duration::from_secs(9);
+        file.as_file().set_modified(later).unwrap();
+        assert_ne!(key(), before);
     }
 }

@@ -371,11 +371,11 @@ impl Builder<'_, '_> {
             B::IsNan => BinaryOperator::Greater,
             _ => BinaryOperator::Equal,
         };
-        self.holds_of_infinity(op, value, size)
+        self.compare_with_infinity(op, value, size)
     }
 
     /// How the bits of a float's magnitude, as a number, compare with those of infinity.
-    pub(super) fn holds_of_infinity(&mut self, op: BinaryOperator, value: H, size: u8) -> H {
+    pub(super) fn compare_with_infinity(&mut self, op: BinaryOperator, value: H, size: u8) -> H {
         let bits = self.cast(value, ScalarKind::Uint, None);
         let [mask, infinity] = [0x7fff_ffff, 0x7f80_0000].map(|bits| {
             let bits = self.uint(bits);

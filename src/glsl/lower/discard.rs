@@ -7,17 +7,15 @@ use naga::Statement;
 
 use super::context::Context;
 use super::function::Builder;
-use super::output::statements;
 use crate::glsl::hir::StmtKind;
 use crate::glsl::types::Type;
 
 impl Context<'_> {
     /// Makes room to know a discarded pixel by, if there are loops that it must leave.
     pub fn add_discarded(&mut self) {
-        if !self.loops.is_empty()
-            && statements(self.hir, self.reachable)
-                .any(|stmt| matches!(stmt.kind, StmtKind::Discard))
-        {
+        let mut statements = self.reachable.statements(self.hir);
+        let discards = statements.any(|stmt| matches!(stmt.kind, StmtKind::Discard));
+        if discards && !self.loops.is_empty() {
             self.discarded = Some(self.add_private("discarded", Type::BOOL));
         }
     }

@@ -123,7 +123,7 @@ impl Builder<'_, '_> {
             self.binary(Op::And, bits, mask)
         });
         let nan = self.binary(Op::InclusiveOr, infinite, quiet);
-        let is_nan = self.holds_of_infinity(Op::Greater, value, size);
+        let is_nan = self.compare_with_infinity(Op::Greater, value, size);
         let odd = self.select(is_nan, nan, infinite);
         let [normal, odd] = [normal, odd].map(|bits| self.cast(bits, ScalarKind::Float, None));
         let scaled = self.product(value, steps);

@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use super::context::Context;
 use super::function::{Builder, H};
 use crate::glsl::arena::Id;
-use crate::glsl::hir::{self, Extent, Hir, Stmt, StmtKind};
+use crate::glsl::hir::{self, Extent, Hir, StmtKind};
 use crate::glsl::prune::Reachable;
 use crate::glsl::types::{Base, Scalar, Type};
 
@@ -76,30 +76,10 @@ pub(super) struct Record {
     components: FxHashMap<(u32, u32), u32>,
 }
 
-/// Every statement of the functions that are needed.
-pub(super) fn statements<'a>(
-    hir: &'a Hir,
-    reachable: &Reachable,
-) -> impl Iterator<Item = &'a Stmt> {
-    let functions = reachable.functions.iter().chain(&hir.initialisers);
-    let bodies = functions.flat_map(|&id| &hir.functions[id].body);
-    let mut open: Vec<&Stmt> = bodies.collect();
-    std::iter::from_fn(move || {
-        let stmt = open.pop()?;
-        match &stmt.kind {
-            StmtKind::Block(body) => open.extend(body),
-            StmtKind::If(_, accept, reject) => open.extend(accept.iter().chain(reject)),
-            StmtKind::Switch(switch) => open.extend(switch.arms.iter().flat_map(|arm| &arm.body)),
-            StmtKind::Loop(inner) => open.extend(&inner.body),
-            _ => {}
-        }
-        Some(stmt)
-    })
-}
-
 /// The loops of the functions that are needed, in the order of the text, and whether each is known to end.
 pub(super) fn loops(hir: &Hir, reachable: &Reachable) -> Vec<(Extent, bool)> {
-    let mut found: Vec<_> = statements(hir, reachable)
+    let mut found: Vec<_> = reachable
+        .statements(hir)
         .filter_map(|stmt| match &stmt.kind {
             StmtKind::Loop(inner) => Some((stmt.extent, inner.is_finite)),
             _ => None,

@@ -360,22 +360,4 @@ mod tests {
         assert_eq!(TestCard::webcam().position(3.0), 0.0);
         assert!((TestCard::film("").position(13.0) - 3.0).abs() < 1e-9);
     }
-
-    /// Prints what a picture costs, and writes some to look at.
-    #[test]
-    #[ignore = "it judges nothing: it writes pictures to look at into OUT, and prints what they cost"]
-    fn look() {
-        for (i, mut card) in all().into_iter().enumerate() {
-            let start = std::time::Instant::now();
-            for step in 0..50 {
-                card.texels(f64::from(step) / RATE);
-            }
-            eprintln!("{card:?}: {:?} a picture", start.elapsed() / 50);
-            let size = card.size();
-            let texels = card.texels(2.3).unwrap().to_vec();
-            let picture = image::RgbaImage::from_raw(size[0], size[1], texels).unwrap();
-            let folder = std::env::var("OUT").unwrap_or_else(|_| ".".into());
-            picture.save(format!("{folder}/card{i}.png")).unwrap();
-        }
-    }
 }

@@ -1,6 +1,3 @@
-use std::path::PathBuf;
-use std::time::Instant;
-
 use super::*;
 use crate::media::site::ITEMS;
 
@@ -112,24 +109,3 @@ const EXPECTED: &[(&str, f64)] = &[
     ("Stars", 14087.1),
     ("Wood", 16293.3),
 ];
-
-/// Writes everything into the folder that `STAND_INS` names, to be looked at: cubemaps and volumes as rows of pictures.
-#[test]
-#[ignore = "it judges nothing: it writes pictures to look at into the folder STAND_INS"]
-fn show() {
-    let Some(folder) = std::env::var_os("STAND_INS").map(PathBuf::from) else {
-        return;
-    };
-    for item in ITEMS {
-        let start = Instant::now();
-        let Some(made) = make(item) else { continue };
-        println!("{:30} {:7.3} s", item.name, start.elapsed().as_secs_f64());
-        let colour = match made.format.bytes() {
-            1 => image::ExtendedColorType::L8,
-            _ => image::ExtendedColorType::Rgba8,
-        };
-        let [width, height, depth] = made.size;
-        let path = folder.join(item.name).with_extension("png");
-        image::save_buffer(path, &made.bytes, width, height * depth, colour).unwrap();
-    }
-}
